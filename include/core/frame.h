@@ -1,0 +1,28 @@
+// An orthonormal frame round a normal: local z is the normal.
+#pragma once
+
+#include "core/vec.h"
+
+namespace core {
+
+template<class Real>
+struct Frame {
+    Vec3<Real> x, y, z;
+
+    // normal: of unit length. Duff et al., "Building an Orthonormal Basis, Revisited" (JCGT 2017): no branch, and
+    // no direction in which the frame degenerates.
+    explicit Frame(const Vec3<Real>& normal) : z(normal) {
+        const Real sign = copysign(Real(1), normal.z);
+        const Real a = Real(-1) / (sign + normal.z);
+        const Real b = normal.x * normal.y * a;
+        x = {Real(1) + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
+        y = {b, sign + normal.y * normal.y * a, -normal.y};
+    }
+
+    Vec3<Real> toLocal(const Vec3<Real>& world) const {
+        return {glm::dot(world, x), glm::dot(world, y), glm::dot(world, z)};
+    }
+    Vec3<Real> toWorld(const Vec3<Real>& local) const { return x * local.x + y * local.y + z * local.z; }
+};
+
+}  // namespace core

@@ -1,0 +1,118 @@
+// Options as rows of a table. A row is all that is known of an option: parsing, range errors, spelling suggestions,
+// gr_help, docs/language.md and a picture's metadata come from it.
+#pragma once
+
+#include "core/vec.h"
+
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace core {
+
+// The numbers that an option takes, each bound included or not.
+struct Range {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool leastIncluded = true;
+    bool mostIncluded = true;
+
+    // Nothing is comparable with NaN, and infinite numbers are refused everywhere.
+    bool contains(double x) const {
+        return std::isfinite(x) && (leastIncluded ? x >= least : x > least) && (mostIncluded ? x <= most : x < most);
+    }
+};
+
+inline constexpr Range anyNumber{};
+inline constexpr Range positive{.least = 0, .leastIncluded = false};
+inline constexpr Range notNegative{.least = 0};
+inline constexpr Range unitInterval{.least = 0, .most = 1};
+
+// One of a few words; it points at the row's own text.
+using Word = std::string_view;
+
+// Where in Owner an option is kept, and so its type. Owner's default value is the option's.
+template<class Owner>
+using OptionMember = std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*,
+                                  std::optional<int> Owner::*, Word Owner::*>;
+
+template<class Owner>
+struct OptionRow {
+    std::string_view name = {};
+    std::string_view alias = {};  // another spelling that is accepted, or empty
+    OptionMember<Owner> member = {};
+    Range range = {};
+    std::span<const Word> words = {};  // what an option of type Word may be
+    std::string_view unit = {};  // empty where there is none
+    std::string_view defaultText = {};  // where the default is worked out; empty: as in Owner{}
+    std::string_view help = {};
+    bool inPicture = true;  // whether the picture depends on it, and its metadata says it
+};
+
+// 0 to 1, greater than 0, ...; empty when every finite number will do.
+std::string rangeText(const Range& range);
+
+// The shortest decimal that reads back as the same number.
+std::string numberText(double x);
+std::string numberText(float x);
+
+inline std::string optionText(bool value) {
+    return value ? "on" : "off";
+}
+inline std::string optionText(int value) {
+    return std::to_string(value);
+}
+inline std::string optionText(std::uint64_t value) {
+    return std::to_string(value);
+}
+inline std::string optionText(double value) {
+    return numberText(value);
+}
+inline std::string optionText(Word value) {
+    return std::string(value);
+}
+inline std::string optionText(const Rgbf& c) {
+    return numberText(c.x) + " " + numberText(c.y) + " " + numberText(c.z);
+}
+inline std::string optionText(const std::optional<int>& value) {
+    return value ? std::to_string(*value) : "";
+}
+
+// The value that an owner has for a row, as the scene language writes it (a colour without its braces).
+template<class Owner>
+std::string optionText(const OptionRow<Owner>& row, const Owner& owner) {
+    return std::visit([&](auto member) { return optionText(owner.*member); }, row.member);
+}
+
+template<class Owner>
+std::string defaultText(const OptionRow<Owner>& row) {
+    if (!row.defaultText.empty()) return std::string(row.defaultText);
+    const std::string text = optionText(row, Owner{});
+    return std::holds_alternative<Rgbf Owner::*>(row.member) ? "{" + text + "}" : text;
+}
+
+// on/off, integer, number, {r g b}, or the words it may be.
+template<class Owner>
+std::string typeText(const OptionRow<Owner>& row) {
+    struct Name {
+        std::span<const Word> words;
+        std::string operator()(bool Owner::*) const { return "on/off"; }
+        std::string operator()(int Owner::*) const { return "integer"; }
+        std::string operator()(std::optional<int> Owner::*) const { return "integer"; }
+        std::string operator()(std::uint64_t Owner::*) const { return "integer"; }
+        std::string operator()(double Owner::*) const { return "number"; }
+        std::string operator()(Rgbf Owner::*) const { return "{r g b}"; }
+        std::string operator()(Word Owner::*) const {
+            std::string text;
+            for (const Word word : words) text += (text.empty() ? "" : "|") + std::string(word);
+            return text;
+        }
+    };
+    return std::visit(Name{row.words}, row.member);
+}
+
+}  // namespace core

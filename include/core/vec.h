@@ -1,0 +1,44 @@
+// Vectors and colours over Real.
+#pragma once
+
+#include "core/lanes.h"
+
+#include <glm/glm.hpp>
+
+namespace core {
+
+template<class Real>
+using Vec2 = glm::vec<2, Real>;
+template<class Real>
+using Vec3 = glm::vec<3, Real>;
+// Linear red, green and blue: a radiance, or a factor without unit.
+template<class Real>
+using Rgb = glm::vec<3, Real>;
+
+using Vec2f = Vec2<float>;
+using Vec3f = Vec3<float>;
+using Rgbf = Rgb<float>;
+
+inline constexpr float pi = 3.14159265358979323846f;
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+
+template<class Real>
+Vec3<Real> select(const Mask<Real>& mask, const Vec3<Real>& yes, const Vec3<Real>& no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+
+// The same vector in every lane.
+template<class Real>
+Vec3<Real> broadcast(const Vec3f& v) {
+    return {Real(v.x), Real(v.y), Real(v.z)};
+}
+
+inline float largestComponent(const Vec3f& v) {
+    return max(max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+}
+
+inline bool isFinite(const Vec3f& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace core

@@ -1,0 +1,34 @@
+#include "core/option.h"
+
+namespace core {
+namespace {
+
+template<class Number>
+std::string shortest(Number x) {
+    char text[64];
+    const auto end = std::to_chars(text, text + sizeof text, x).ptr;
+    return {text, end};
+}
+
+}  // namespace
+
+std::string numberText(double x) {
+    return shortest(x);
+}
+std::string numberText(float x) {
+    return shortest(x);
+}
+
+std::string rangeText(const Range& range) {
+    const bool below = std::isfinite(range.least);
+    const bool above = std::isfinite(range.most);
+    if (below && above && range.leastIncluded && range.mostIncluded)
+        return numberText(range.least) + " to " + numberText(range.most);
+    const std::string least = (range.leastIncluded ? "at least " : "greater than ") + numberText(range.least);
+    const std::string most = (range.mostIncluded ? "at most " : "less than ") + numberText(range.most);
+    if (below && above) return least + " and " + most;
+    if (below) return least;
+    return above ? most : "";
+}
+
+}  // namespace core
