@@ -1,0 +1,80 @@
+// The scene that a script builds: a tree of nodes, materials and point lights by name.
+// Every function throws core::Error with a message that names the word that is wrong, and then has changed nothing.
+#pragma once
+
+#include "core/error.h"
+#include "gr/light.h"
+#include "gr/node.h"
+
+#include <unordered_map>
+#include <unordered_set>
+
+namespace gr {
+
+class Database {
+public:
+    Database();
+    ~Database();
+    Database(const Database&) = delete;
+    Database& operator=(const Database&) = delete;
+
+    // Makes a node and returns it. parent: full path.
+    Node& create(std::string_view parent, std::string_view name, NodeContent content);
+    Node& createInstance(std::string_view parent, std::string_view name, std::string_view target);
+
+    // Each post-multiplies the node's matrix: the last one acts first on the geometry.
+    void translate(std::string_view node, const glm::dvec3& by);
+    void rotate(std::string_view node, int axis, double degrees);
+    void scale(std::string_view node, const glm::dvec3& about, const glm::dvec3& by);
+
+    void addMaterial(std::string_view name, const materials::Material& material);
+    void setMaterial(std::string_view node, std::string_view material);
+    void addPointLight(std::string_view name, const PointLight& light);
+
+    void remove(std::string_view node);
+    void reset();
+    // The subtree as indented text, a node a line.
+    std::string print(std::string_view node) const;
+
+    const Node& find(std::string_view path) const;
+    const PointLight& pointLight(std::string_view name) const;
+    // Throws unless a node of that name may be made there.
+    void checkNew(std::string_view parent, std::string_view name) const;
+    std::size_t nodeCount() const { return index_.size() + 1; }
+
+private:
+    // A node is found by its parent and its name.
+    struct Key {
+        const Node* parent;
+        std::string_view name;
+        bool operator==(const Key&) const = default;
+    };
+    struct Hash {
+        using is_transparent = void;
+        std::size_t operator()(const Key& key) const;
+        std::size_t operator()(const std::unique_ptr<Node>& node) const {
+            return (*this)(Key{node->parent, node->name});
+        }
+    };
+    struct Equal {
+        using is_transparent = void;
+        static Key key(const Key& key) { return key; }
+        static Key key(const std::unique_ptr<Node>& node) { return {node->parent, node->name}; }
+        bool operator()(const auto& a, const auto& b) const { return key(a) == key(b); }
+    };
+
+    const Node* child(const Node& parent, std::string_view name) const;
+    Node& get(std::string_view path);
+    [[noreturn]] void throwUnknownNode(std::string_view path) const;
+    void checkNoCycle(const Node& parent, const Node& target) const;
+    void multiply(std::string_view node, const glm::dmat4& matrix);
+    void erase(const Node& node);
+
+    Node root_;
+    std::unordered_set<std::unique_ptr<Node>, Hash, Equal> index_;
+    std::unordered_map<const Node*, std::unordered_set<const Node*>> instancesOf_;
+    std::unordered_map<std::string, NamedMaterial> materials_;
+    std::unordered_map<std::string, PointLight> pointLights_;
+};
+
+}  // namespace gr

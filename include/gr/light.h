@@ -1,0 +1,64 @@
+// THE lights that a surface point asks for light. To add one: write its struct here, with sample over Real.
+#pragma once
+
+#include "core/warp.h"
+
+namespace gr {
+
+// Light that may arrive at a surface point from a place drawn on a light.
+template<class Real>
+struct LightSample {
+    core::Vec3<Real> target;  // the place on the light, where the shadow ray ends
+    core::Vec3<Real> wi;  // unit direction to it
+    core::Rgb<Real> weight;  // radiance / pdfW: times f * cos it estimates the radiance reflected; black: no light
+    Real pdfW;  // per steradian as seen from the surface point; 0 for a point light, which has none
+};
+
+// A parallelogram that emits the same radiance in every direction on one side and reflects nothing: what becomes of a
+// square under an affine map.
+struct AreaLight {
+    core::Vec3f corner, edge1, edge2;
+    core::Vec3f normal;  // unit length, to the side that emits
+    core::Rgbf radiance;
+    float area;
+    float error;  // how far rounding may put a point of it off its plane
+    std::uint32_t instance = 0;  // its place in Scene::instances
+
+    // from: the surface point. u: uniform in the unit square; the place is uniform on the light.
+    template<class Real>
+    LightSample<Real> sample(const core::Vec3<Real>& from, const core::Vec2<Real>& u) const {
+        const auto lanes = [](const core::Vec3f& v) { return core::broadcast<Real>(v); };
+        const core::Vec3<Real> target = lanes(corner) + lanes(edge1) * u.x + lanes(edge2) * u.y;
+        const core::Vec3<Real> toLight = target - from;
+        const Real distanceSquared = glm::dot(toLight, toLight);
+        const core::Vec3<Real> wi = toLight / core::sqrt(distanceSquared);
+
+        // dA = dw * distance^2 / cos: the density 1 / area becomes one over solid angle. The back is dark.
+        const Real cosine = -glm::dot(wi, lanes(normal));
+        const core::Mask<Real> lit = (cosine > Real(0)) & (distanceSquared > Real(0));
+        const Real pdf = core::pdfAtoW(Real(1 / area), distanceSquared, cosine);
+        const core::Rgb<Real> weight = lanes(radiance) / pdf;
+        return {target, wi, core::select(lit, weight, core::Rgb<Real>(Real(0))), core::select(lit, pdf, Real(0))};
+    }
+};
+
+// The older point light. A surface that faces it at distance d receives the irradiance
+// pi * intensity / (c0 + c1 d + c2 d^2), so that a white diffuse surface shows intensity / (...).
+struct PointLight {
+    core::Vec3f position;
+    core::Rgbf intensity;
+    core::Vec3f attenuation;  // c0, c1, c2: not negative, not all 0
+
+    template<class Real>
+    LightSample<Real> sample(const core::Vec3<Real>& from) const {
+        const core::Vec3<Real> target = core::broadcast<Real>(position);
+        const core::Vec3<Real> toLight = target - from;
+        const Real distance = core::sqrt(glm::dot(toLight, toLight));
+        const Real falloff = Real(attenuation.x) + distance * (Real(attenuation.y) + distance * Real(attenuation.z));
+        const core::Mask<Real> lit = distance > Real(0);
+        const core::Rgb<Real> weight = core::broadcast<Real>(intensity * core::pi) / falloff;
+        return {target, toLight / distance, core::select(lit, weight, core::Rgb<Real>(Real(0))), Real(0)};
+    }
+};
+
+}  // namespace gr

@@ -1,0 +1,64 @@
+// A node of the scene graph as scripts build it. A million of them are made in a loop: mind the bytes.
+#pragma once
+
+#include "core/vec.h"
+#include "gr/polyhedron.h"
+#include "materials/material.h"
+
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace gr {
+
+struct Node;
+
+// A material and the name that scripts know it by.
+struct NamedMaterial {
+    std::string name;
+    materials::Material material;
+};
+
+struct TransformNode {};
+struct SphereNode {
+    glm::dvec3 centre{0};
+    double radius = 1;
+};
+struct BoxNode {
+    glm::dvec3 corner{0};
+    glm::dvec3 size{1};
+};
+struct PolyhedronNode {
+    std::shared_ptr<const Polyhedron> polyhedron;
+};
+struct AreaLightNode {
+    core::Rgbf radiance;
+    glm::dvec3 centre;
+    double size;
+};
+struct InstanceNode {
+    const Node* target;
+};
+
+using NodeContent = std::variant<TransformNode, SphereNode, BoxNode, PolyhedronNode, AreaLightNode, InstanceNode>;
+
+struct Node {
+    std::string name;
+    NodeContent content;
+    std::unique_ptr<glm::dmat4> matrix;  // null: the identity
+    const NamedMaterial* material = nullptr;  // null: the nearest ancestor's
+    Node* parent = nullptr;
+    // Children in the order they were made; a node is owned by the database.
+    Node* firstChild = nullptr;
+    Node* lastChild = nullptr;
+    Node* previous = nullptr;
+    Node* next = nullptr;
+
+    std::string path() const;
+};
+
+// The node after `node` in the subtree of `top`, parents before their children, or null at the end. Neither time nor
+// stack depends on how deep the tree is.
+const Node* nextInSubtree(const Node* node, const Node* top);
+
+}  // namespace gr

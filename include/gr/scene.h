@@ -1,0 +1,66 @@
+// What is rendered: the scene graph spread out into a flat list, in world space, never changed again.
+#pragma once
+
+#include "core/transform.h"
+#include "gr/accelerator.h"
+#include "gr/light.h"
+#include "gr/shape.h"
+#include "materials/material.h"
+
+#include <vector>
+
+namespace gr {
+
+class Database;
+
+// A shape at one place. Nodes' sizes and positions are part of the transform.
+struct Instance {
+    static constexpr std::uint32_t notALight = ~0u;
+
+    core::Transform worldFromObject;
+    core::Transform objectFromWorld;
+    Shape shape;
+    std::uint32_t material = 0;  // index into Scene::materials
+    std::uint32_t light = notALight;  // index into Scene::areaLights
+    // How far single precision may put a point of the surface off its true place, there and back from object space:
+    // error + errorPerUnit * the point's largest world coordinate.
+    float error = 0;
+    float errorPerUnit = 0;
+
+    core::Rayf toObject(const core::Rayf& ray) const {
+        return {objectFromWorld.point(ray.origin), objectFromWorld.vector(ray.direction), ray.tMax};
+    }
+};
+
+// A surface where a ray met it, in the world.
+struct SurfacePoint {
+    core::Vec3f position;
+    core::Vec3f normal;  // unit length, outward
+    float error;  // see Instance
+    const materials::Material* material;
+    const AreaLight* light;  // null for what does not emit
+
+    // Where a ray starts or ends that leaves the surface on the side of the normal (or, negated, on the other): so far
+    // off it that it cannot meet it again, whatever was rounded.
+    core::Vec3f offset(const core::Vec3f& side) const { return offsetFrom(position, side, error); }
+    static core::Vec3f offsetFrom(const core::Vec3f& position, const core::Vec3f& side, float error);
+};
+
+class Scene {
+public:
+    std::vector<Instance> instances;
+    std::vector<materials::Material> materials;
+    std::vector<AreaLight> areaLights;
+    std::vector<PointLight> pointLights;
+    std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
+
+    SurfacePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
+    std::size_t bytes() const;
+};
+
+// Spreads out the subtree at the path `node`, lit by the area lights in it and the named point lights. The node's own
+// transform comes along, those above it do not. Throws core::Error for an unknown node or light, and for a scene that
+// instances multiply beyond the memory of the machine.
+Scene compile(const Database& database, std::string_view node, std::span<const std::string> lights);
+
+}  // namespace gr

@@ -1,0 +1,107 @@
+// THE list of shapes, in their own space. To add one: write its struct here, with intersect over Real and surfaceAt,
+// and add it to Shape.
+// intersect returns the smallest t with 0 < t < ray.tMax at which the ray meets the shape, or infinity. Where a ray
+// starts is decided by signs that rounding cannot turn, so that one which starts a hair outside stays outside.
+#pragma once
+
+#include "core/ray.h"
+#include "gr/polyhedron.h"
+
+#include <variant>
+
+namespace gr {
+
+// Where the nearest t was found, beside t itself.
+struct Hit {
+    float t = core::infinity;
+    std::uint32_t instance = 0;  // index into Scene::instances
+    std::uint32_t triangle = 0;  // for a polyhedron: which one,
+    float b1 = 0, b2 = 0;  // and the weights of its second and third vertex
+};
+
+// A point of a surface and the outward normal (not of unit length) there, in the shape's own space.
+struct ShapePoint {
+    core::Vec3f position;
+    core::Vec3f normal;
+};
+
+// The unit sphere at the origin.
+struct Sphere {
+    static constexpr float extent = 1;  // the largest coordinate of any of its points
+
+    // Haines et al., "Precision Improvements for Ray/Sphere Intersection" (Ray Tracing Gems, 2019): the discriminant
+    // from the point of the line nearest to the centre, and both roots without cancellation.
+    template<class Real>
+    Real intersect(const core::Ray<Real>& ray) const {
+        using core::select;
+        const Real a = glm::dot(ray.direction, ray.direction);
+        const Real b = -glm::dot(ray.origin, ray.direction);
+        const core::Vec3<Real> nearest = ray.origin + ray.direction * (b / a);
+        const Real discriminant = Real(1) - glm::dot(nearest, nearest);
+        const core::Mask<Real> meets = discriminant >= Real(0);
+        const Real root = core::sqrt(a * core::max(discriminant, Real(0)));
+        const Real q = b + core::copysign(root, b);
+        const Real c = glm::dot(ray.origin, ray.origin) - Real(1);
+        const Real t1 = c / q;
+        const Real t2 = q / a;
+        const Real enter = core::min(t1, t2);
+        const Real leave = core::max(t1, t2);
+        const Real t = select(enter > Real(0), enter, leave);
+        return select(meets & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
+    }
+
+    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const {
+        const core::Vec3f p = glm::normalize(ray.origin + ray.direction * hit.t);
+        return {p, p};
+    }
+};
+
+// The box [0, 1]^3.
+struct Box {
+    static constexpr float extent = 1;
+
+    // Slabs (Kay and Kajiya 1986). A ray inside a face's plane makes 0 / 0; min and max then keep the other bound.
+    template<class Real>
+    Real intersect(const core::Ray<Real>& ray) const {
+        using core::select;
+        Real enter(-core::infinity);
+        Real leave(core::infinity);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Real inverse = Real(1) / ray.direction[axis];
+            const Real t0 = -ray.origin[axis] * inverse;
+            const Real t1 = (Real(1) - ray.origin[axis]) * inverse;
+            enter = core::max(core::min(t0, t1), enter);
+            leave = core::min(core::max(t0, t1), leave);
+        }
+        // Three roundings (Ize, "Robust BVH Ray Traversal", 2013): a ray along an edge does not slip between two slabs.
+        const core::Mask<Real> meets = enter <= leave * Real(1 + 4 * 0x1p-23f);
+        const Real t = select(enter > Real(0), enter, leave);
+        return select(meets & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
+    }
+
+    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
+};
+
+// The square [-1/2, 1/2]^2 in the x-z plane, facing -y: an area light.
+struct Square {
+    static constexpr float extent = 0.5f;
+
+    template<class Real>
+    Real intersect(const core::Ray<Real>& ray) const {
+        const Real t = -ray.origin.y / ray.direction.y;
+        const Real x = ray.origin.x + ray.direction.x * t;
+        const Real z = ray.origin.z + ray.direction.z * t;
+        const core::Mask<Real> inside = (core::abs(x) <= Real(0.5f)) & (core::abs(z) <= Real(0.5f));
+        return core::select(inside & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
+    }
+
+    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const {
+        const core::Vec3f p = ray.origin + ray.direction * hit.t;
+        return {{p.x, 0, p.z}, {0, -1, 0}};
+    }
+};
+
+// A polyhedron is shared by all its instances; the scene owns it.
+using Shape = std::variant<Sphere, Box, Square, const Polyhedron*>;
+
+}  // namespace gr

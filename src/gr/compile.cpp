@@ -1,0 +1,183 @@
+#include "core/memory.h"
+#include "gr/database.h"
+#include "gr/scene.h"
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+namespace gr {
+namespace {
+
+// How many nodes the subtree becomes when every instance is replaced by what it stands for. A double: nested
+// instances double, and double again.
+double expandedNodes(const Node& top) {
+    std::unordered_map<const Node*, double> known;
+    std::vector<const Node*> open{&top};
+    while (!open.empty()) {
+        const Node* subtree = open.back();
+        double sum = 0;
+        bool complete = true;
+        for (const Node* node = subtree; node != nullptr; node = nextInSubtree(node, subtree)) {
+            sum += 1;
+            const auto* instance = std::get_if<InstanceNode>(&node->content);
+            if (instance == nullptr) continue;
+            const auto target = known.find(instance->target);
+            if (target != known.end()) {
+                sum += target->second;
+            } else {
+                open.push_back(instance->target);
+                complete = false;
+            }
+        }
+        if (!complete) continue;
+        known[subtree] = sum;
+        open.pop_back();
+    }
+    return known.at(&top);
+}
+
+void checkMemory(const Node& top) {
+    const double nodes = expandedNodes(top);
+    const double needed = nodes * sizeof(Instance);
+    const double available = static_cast<double>(core::availableMemory());
+    if (needed > available)
+        throw core::Error("SCENE", "MEMORY", top.path(),
+                          "\"" + top.path() + "\" has " + core::numberText(nodes) +
+                              " objects when its instances are spread out, which takes " + core::memoryText(needed) +
+                              " of memory; " + core::memoryText(available) + " are free");
+}
+
+class Compiler {
+public:
+    Scene compile(const Node& top) {
+        open_.push_back({&top, glm::dmat4(1), nullptr, false});
+        while (!open_.empty()) {
+            const Visit visit = open_.back();
+            open_.pop_back();
+            expand(visit);
+        }
+        return std::move(scene_);
+    }
+
+private:
+    // A node still to be looked at, with what comes from above.
+    struct Visit {
+        const Node* node;
+        glm::dmat4 parentMatrix;
+        const NamedMaterial* parentMaterial;
+        bool withSiblings;  // whether the siblings after it follow
+    };
+
+    void expand(const Visit& visit) {
+        const Node& node = *visit.node;
+        const glm::dmat4 matrix = node.matrix ? visit.parentMatrix * *node.matrix : visit.parentMatrix;
+        const NamedMaterial* material = node.material != nullptr ? node.material : visit.parentMaterial;
+        // What is pushed last comes next: children before siblings, in the order they were made.
+        if (visit.withSiblings && node.next != nullptr)
+            open_.push_back({node.next, visit.parentMatrix, visit.parentMaterial, true});
+        if (node.firstChild != nullptr) open_.push_back({node.firstChild, matrix, material, true});
+        if (const auto* instance = std::get_if<InstanceNode>(&node.content)) {
+            open_.push_back({instance->target, matrix, material, false});
+        } else if (!std::holds_alternative<TransformNode>(node.content)) {
+            std::visit([&](const auto& content) { add(content, matrix); }, node.content);
+            finish(node, material);
+        }
+    }
+
+    void add(const TransformNode&, const glm::dmat4&) {}
+    void add(const InstanceNode&, const glm::dmat4&) {}
+    void add(const SphereNode& sphere, const glm::dmat4& matrix) {
+        const glm::dmat4 place = glm::scale(glm::translate(matrix, sphere.centre), glm::dvec3(sphere.radius));
+        addInstance(Sphere{}, place, Sphere::extent);
+    }
+    void add(const BoxNode& box, const glm::dmat4& matrix) {
+        addInstance(Box{}, glm::scale(glm::translate(matrix, box.corner), box.size), Box::extent);
+    }
+    void add(const PolyhedronNode& node, const glm::dmat4& matrix) {
+        if (polyhedra_.insert(node.polyhedron.get()).second) scene_.polyhedra.push_back(node.polyhedron);
+        addInstance(node.polyhedron.get(), matrix, node.polyhedron->extent());
+    }
+    void add(const AreaLightNode& light, const glm::dmat4& matrix) {
+        const glm::dmat4 place = glm::scale(glm::translate(matrix, light.centre), glm::dvec3(light.size));
+        addInstance(Square{}, place, Square::extent);
+        Instance& instance = scene_.instances.back();
+        instance.light = static_cast<std::uint32_t>(scene_.areaLights.size());
+
+        const core::Vec3f edge1(place[0]), edge2(place[2]);
+        const core::Vec3f corner(place * glm::dvec4(-0.5, 0, -0.5, 1));
+        // A plane's normal goes by the transposed inverse, which keeps it on the same side of the plane.
+        const core::Vec3f normal(
+            glm::normalize(glm::transpose(glm::inverse(glm::dmat3(place))) * glm::dvec3(0, -1, 0)));
+        const float area = static_cast<float>(glm::length(glm::cross(glm::dvec3(place[0]), glm::dvec3(place[2]))));
+        const float size =
+            core::largestComponent(corner) + core::largestComponent(edge1) + core::largestComponent(edge2);
+        scene_.areaLights.push_back({corner, edge1, edge2, normal, light.radiance, area,
+                                     instance.error + instance.errorPerUnit * size,
+                                     static_cast<std::uint32_t>(scene_.instances.size() - 1)});
+    }
+
+    void addInstance(Shape shape, const glm::dmat4& matrix, float extent) {
+        const glm::dmat4 inverse = glm::inverse(matrix);
+        Instance instance{
+            .worldFromObject = core::Transform(matrix), .objectFromWorld = core::Transform(inverse), .shape = shape};
+        setErrorBounds(instance, matrix, inverse, extent);
+        scene_.instances.push_back(instance);
+    }
+
+    // The roundings on a point's way from the object to the world and back, each of relative size u = 2^-24:
+    //   4 where the shape computes it, 5 in worldFromObject (its entry, three products' sums, the translation),
+    //   1 in the step off the surface, 5 in objectFromWorld, and 8 in the next intersection.
+    // |M| is the largest sum of a row's absolute values. Twice that, for what the bound leaves out at second order.
+    static void setErrorBounds(Instance& instance, const glm::dmat4& matrix, const glm::dmat4& inverse, float extent) {
+        double norm = 0, thereAndBack = 0, backTranslation = 0;
+        for (int row = 0; row < 3; ++row) {
+            double rowNorm = 0, rowThereAndBack = 0, rowBackTranslation = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double entry = std::abs(matrix[k][row]);
+                rowNorm += entry;
+                rowBackTranslation += entry * std::abs(inverse[3][k]);
+                for (int column = 0; column < 3; ++column) rowThereAndBack += entry * std::abs(inverse[column][k]);
+            }
+            norm = std::max(norm, rowNorm);
+            thereAndBack = std::max(thereAndBack, rowThereAndBack);
+            backTranslation = std::max(backTranslation, rowBackTranslation);
+        }
+        const double translation = core::largestComponent(core::Vec3f(matrix[3]));
+        constexpr double twiceU = 0x1p-23;
+        instance.error =
+            static_cast<float>(twiceU * ((4 + 5 + 8) * norm * extent + 5 * translation + 5 * backTranslation));
+        instance.errorPerUnit = static_cast<float>(twiceU * (1 + 5 * thereAndBack));
+    }
+
+    // Gives the newest instance its material, and checks that single precision can hold it.
+    void finish(const Node& node, const NamedMaterial* material) {
+        Instance& instance = scene_.instances.back();
+        for (const core::Transform& map : {instance.worldFromObject, instance.objectFromWorld})
+            for (const core::Vec3f& column : {map.x, map.y, map.z, map.translation})
+                if (!core::isFinite(column) || core::largestComponent(column) > 1e18f)
+                    throw core::Error("SCENE", "RANGE", node.path(),
+                                      "\"" + node.path() + "\" is too large, too small or too far away to be rendered");
+        const auto [entry, isNew] = materialIndex_.try_emplace(material, scene_.materials.size());
+        if (isNew) scene_.materials.push_back(material != nullptr ? material->material : materials::Material{});
+        instance.material = entry->second;
+    }
+
+    Scene scene_;
+    std::vector<Visit> open_;
+    std::unordered_map<const NamedMaterial*, std::uint32_t> materialIndex_;
+    std::unordered_set<const Polyhedron*> polyhedra_;
+};
+
+}  // namespace
+
+Scene compile(const Database& database, std::string_view path, std::span<const std::string> lights) {
+    const Node& top = database.find(path);
+    std::vector<PointLight> pointLights;
+    for (const std::string& name : lights) pointLights.push_back(database.pointLight(name));
+    checkMemory(top);
+    Scene scene = Compiler{}.compile(top);
+    scene.pointLights = std::move(pointLights);
+    return scene;
+}
+
+}  // namespace gr

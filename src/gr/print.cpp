@@ -1,0 +1,64 @@
+#include "core/option.h"
+#include "gr/database.h"
+
+namespace gr {
+namespace {
+
+std::string vectorText(const glm::dvec3& v) {
+    return "{" + core::numberText(v.x) + " " + core::numberText(v.y) + " " + core::numberText(v.z) + "}";
+}
+
+struct ContentText {
+    std::string operator()(const TransformNode&) const { return "transform"; }
+    std::string operator()(const SphereNode& sphere) const {
+        return "sphere " + vectorText(sphere.centre) + " " + core::numberText(sphere.radius);
+    }
+    std::string operator()(const BoxNode& box) const {
+        return "box " + vectorText(box.corner) + " " + vectorText(box.size);
+    }
+    std::string operator()(const PolyhedronNode& node) const {
+        return "polyhedron of " + std::to_string(node.polyhedron->triangleCount()) + " triangles";
+    }
+    std::string operator()(const AreaLightNode& light) const {
+        return "area light {" + core::optionText(light.radiance) + "} " + vectorText(light.centre) + " " +
+               core::numberText(light.size);
+    }
+    std::string operator()(const InstanceNode& instance) const { return "instance of " + instance.target->path(); }
+};
+
+// The three rows that change; the fourth is always 0 0 0 1.
+std::string matrixText(const glm::dmat4& m) {
+    std::string text;
+    for (int row = 0; row < 3; ++row) {
+        text += row == 0 ? "{" : " {";
+        for (int column = 0; column < 4; ++column) text += (column == 0 ? "" : " ") + core::numberText(m[column][row]);
+        text += "}";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string Database::print(std::string_view path) const {
+    const Node& top = find(path);
+    std::string text;
+    int depth = 0;
+    for (const Node* node = &top; node != nullptr;) {
+        text.append(2 * static_cast<std::size_t>(depth), ' ');
+        text += node == &top ? node->path() : node->name;
+        text += " " + std::visit(ContentText{}, node->content);
+        if (node->material != nullptr) text += ", material " + node->material->name;
+        if (node->matrix) text += ", matrix " + matrixText(*node->matrix);
+        const Node* next = nextInSubtree(node, &top);
+        if (next != nullptr) text += "\n";
+        if (next != nullptr && next->parent == node) {
+            ++depth;
+        } else if (next != nullptr) {
+            for (; node->parent != next->parent; node = node->parent) --depth;
+        }
+        node = next;
+    }
+    return text;
+}
+
+}  // namespace gr
