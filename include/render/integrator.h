@@ -1,0 +1,38 @@
+// How the light is found that comes along a ray.
+#pragma once
+
+#include "gr/scene.h"
+#include "render/sampler.h"
+#include "render/settings.h"
+
+namespace render {
+
+// The rays that were traced, by what for.
+struct RayCounts {
+    std::uint64_t camera = 0;
+    std::uint64_t shadow = 0;
+    std::uint64_t diffuse = 0;
+
+    std::uint64_t total() const { return camera + shadow + diffuse; }
+    RayCounts& operator+=(const RayCounts& other) {
+        camera += other.camera;
+        shadow += other.shadow;
+        diffuse += other.diffuse;
+        return *this;
+    }
+};
+
+class Integrator {
+public:
+    virtual ~Integrator() = default;
+
+    // One sample of the radiance that arrives at the ray's origin, against its direction.
+    virtual core::Rgbf radiance(const core::Rayf& cameraRay, Sampler& sampler, RayCounts& rays) const = 0;
+};
+
+// The report's own (section 5.2): plain, scalar, the oracle. Scene and accelerator must outlive it.
+// ambient: times R_d, it is added where a path ends because it holds all the surface points it may.
+std::unique_ptr<Integrator> makeReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
+                                                 const RenderSettings& settings, const core::Rgbf& ambient);
+
+}  // namespace render

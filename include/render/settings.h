@@ -1,0 +1,27 @@
+// The render options: one row each. To add one: a member with its default, and a row.
+#pragma once
+
+#include "core/option.h"
+
+namespace render {
+
+struct RenderSettings {
+    core::Word accelerator = "off";
+    bool globalIllumination = false;
+    bool antialiasing = false;
+    int pathLength = 2;
+    std::optional<int> startLine;  // 0 is the top; both lines are rendered
+    std::optional<int> stopLine;
+    int samplesPerPixel = 16;
+    int samplesPerLightSource = 1;
+    core::Word integrator = "report";
+    std::uint64_t seed = 0;
+    core::Rgbf background{0};
+    double exposure = 0;
+    int threads = 0;  // 0: all cores
+    bool progress = true;
+
+    static std::span<const core::OptionRow<RenderSettings>> options();
+};
+
+}  // namespace render

@@ -1,0 +1,111 @@
+#include "render/image_file.h"
+
+#include "core/error.h"
+#include "render/temporary_file.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace render {
+namespace fs = std::filesystem;
+
+std::uint8_t toSrgb8(float radiance) {
+    const double x = std::clamp(static_cast<double>(radiance), 0.0, 1.0);
+    const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+    return static_cast<std::uint8_t>(encoded * 255 + 0.5);
+}
+
+namespace {
+
+// The file that a path means: links are followed, so that the link stays and what it names is replaced.
+fs::path resolve(const std::string& path) {
+    std::error_code failed;
+    const fs::path resolved = fs::weakly_canonical(path, failed);
+    return failed ? fs::path(path) : resolved;
+}
+
+// libpng reports errors by a function that must not return. It throws; libpng's own frames hold nothing to clean up
+// but what png_destroy_write_struct frees.
+[[noreturn]] void pngError(png_structp, png_const_charp message) {
+    throw core::Error("FILE", "WRITE", "", std::string("libpng: ") + message);
+}
+void pngWarning(png_structp, png_const_charp) {}
+
+class PngWriter {
+public:
+    explicit PngWriter(std::FILE* file)
+        : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, pngError, pngWarning)) {
+        info_ = png_create_info_struct(png_);
+        png_init_io(png_, file);
+    }
+    ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    void write(const Film& film, double exposure, const Metadata& metadata) {
+        writeHeader(film, metadata);
+        const float scale = static_cast<float>(std::exp2(exposure));
+        std::vector<png_byte> row(3 * static_cast<std::size_t>(film.width()));
+        for (int y = film.startLine(); y < film.startLine() + film.lines(); ++y) {
+            for (int x = 0; x < film.width(); ++x)
+                for (int channel = 0; channel < 3; ++channel)
+                    row[3 * static_cast<std::size_t>(x) + static_cast<std::size_t>(channel)] =
+                        toSrgb8(film.at(x, y)[channel] * scale);
+            png_write_row(png_, row.data());
+        }
+        png_write_end(png_, nullptr);
+    }
+
+private:
+    void writeHeader(const Film& film, const Metadata& metadata) {
+        png_set_IHDR(png_, info_, static_cast<png_uint_32>(film.width()), static_cast<png_uint_32>(film.lines()), 8,
+                     PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
+        if (film.lines() != film.height()) png_set_oFFs(png_, info_, 0, film.startLine(), PNG_OFFSET_PIXEL);
+        std::vector<png_text> texts;
+        for (const auto& [keyword, value] : metadata) {
+            png_text text{};
+            const bool isAscii = std::all_of(value.begin(), value.end(), [](char c) { return c >= 0; });
+            // tEXt is Latin-1; UTF-8 has a chunk of its own.
+            text.compression = isAscii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+            text.key = const_cast<char*>(keyword.c_str());
+            text.text = const_cast<char*>(value.c_str());
+            (isAscii ? text.text_length : text.itxt_length) = value.size();
+            texts.push_back(text);
+        }
+        png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
+        png_write_info(png_, info_);
+    }
+
+    png_structp png_;
+    png_infop info_ = nullptr;
+};
+
+}  // namespace
+
+ImageFile::ImageFile(const std::string& path) : path_(path), target_(resolve(path)) {
+    std::string ending = target_.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending != ".png")
+        throw core::Error("FILE", "ENDING", path, "cannot write \"" + path + "\": the file's ending must be .png");
+    std::error_code failed;
+    if (fs::exists(target_, failed) && !fs::is_regular_file(target_, failed))
+        throw core::Error("FILE", "WRITE", path, "cannot write \"" + path + "\": it is not a file");
+    // The one sure way to know whether a file can be made in a folder, for every user and every file system.
+    TemporaryFile probe(target_, path);
+}
+
+void ImageFile::write(const Film& film, double exposure, const Metadata& metadata) const {
+    TemporaryFile file(target_, path_);
+    try {
+        PngWriter(file.stream()).write(film, exposure, metadata);
+    } catch (const core::Error& error) {
+        throw core::Error(error.topic, error.reason, path_, "cannot write \"" + path_ + "\": " + error.what());
+    }
+    file.publish();
+}
+
+}  // namespace render

@@ -1,0 +1,121 @@
+#include "render/render.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
+
+namespace render {
+namespace {
+
+constexpr int tileSize = 16;  // pixels: small enough that the last tiles keep every thread busy
+
+// Work done since progress was last told of it: shared counters are touched now and then only.
+class Tally {
+public:
+    explicit Tally(Progress& progress) : progress_(progress) {}
+    ~Tally() { tell(); }
+
+    RayCounts rays;
+    std::uint64_t samples = 0;
+    std::uint64_t dropped = 0;
+
+    void countSample() {
+        if (++samples - toldSamples_ >= 256) tell();
+    }
+
+private:
+    void tell() {
+        progress_.samples.fetch_add(samples - toldSamples_, std::memory_order_relaxed);
+        progress_.rays.fetch_add(rays.total() - toldRays_, std::memory_order_relaxed);
+        toldSamples_ = samples;
+        toldRays_ = rays.total();
+    }
+
+    Progress& progress_;
+    std::uint64_t toldSamples_ = 0;
+    std::uint64_t toldRays_ = 0;
+};
+
+class Renderer {
+public:
+    Renderer(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
+             const std::atomic<bool>& stop)
+        : integrator_(integrator), camera_(camera), settings_(settings), grid_(settings.samplesPerPixel), stop_(stop) {}
+
+    void renderTile(Film& film, int left, int top, Tally& tally) const {
+        const int right = std::min(left + tileSize, film.width());
+        const int bottom = std::min(top + tileSize, film.startLine() + film.lines());
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x) film.at(x, y) = renderPixel(x, y, tally);
+    }
+
+private:
+    // The mean of the samples that are finite; in double, or a million of them would drown the last.
+    core::Rgbf renderPixel(int x, int y, Tally& tally) const {
+        glm::dvec3 sum(0);
+        int kept = 0;
+        for (int sample = 0; sample < settings_.samplesPerPixel; ++sample) {
+            if (stop_.load(std::memory_order_relaxed)) return core::Rgbf(0);
+            Sampler sampler(settings_.seed, x, y, sample);
+            const core::Vec2f u = sampler.next2D();
+            const core::Vec2f inPixel = settings_.antialiasing ? grid_.place(sample, u) : core::Vec2f(0.5f);
+            const core::Vec2f place(static_cast<float>(x) + inPixel.x, static_cast<float>(y) + inPixel.y);
+            const core::Rgbf radiance = integrator_.radiance(camera_.ray(place), sampler, tally.rays);
+            if (core::isFinite(radiance)) {
+                sum += glm::dvec3(radiance);
+                ++kept;
+            } else {
+                ++tally.dropped;
+            }
+            tally.countSample();
+        }
+        return kept == 0 ? core::Rgbf(0) : core::Rgbf(sum / static_cast<double>(kept));
+    }
+
+    const Integrator& integrator_;
+    const Camera& camera_;
+    const RenderSettings& settings_;
+    PixelGrid grid_;
+    const std::atomic<bool>& stop_;
+};
+
+}  // namespace
+
+int threadCount(int threads) {
+    return threads > 0 ? threads : tbb::this_task_arena::max_concurrency();
+}
+
+RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
+                    Progress& progress, const std::atomic<bool>& stop) {
+    const Renderer renderer(integrator, camera, settings, stop);
+    const int columns = (film.width() + tileSize - 1) / tileSize;
+    const int rows = (film.lines() + tileSize - 1) / tileSize;
+    RenderResult result;
+    result.threads = threadCount(settings.threads);
+    std::mutex resultMutex;
+
+    const auto renderTiles = [&](const tbb::blocked_range<int>& tiles) {
+        for (int tile = tiles.begin(); tile < tiles.end() && !stop.load(std::memory_order_relaxed); ++tile) {
+            Tally tally(progress);
+            const int left = tile % columns * tileSize;
+            const int top = film.startLine() + tile / columns * tileSize;
+            renderer.renderTile(film, left, top, tally);
+            const std::lock_guard lock(resultMutex);
+            result.rays += tally.rays;
+            result.samples += tally.samples;
+            result.droppedSamples += tally.dropped;
+        }
+    };
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(result.threads));
+    tbb::task_arena arena(result.threads);
+    arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<int>(0, rows * columns, 1), renderTiles, tbb::simple_partitioner{});
+    });
+    result.finished = !stop.load();
+    return result;
+}
+
+}  // namespace render

@@ -1,0 +1,88 @@
+#include "render/settings.h"
+
+#include <array>
+
+namespace render {
+namespace {
+
+constexpr std::array<core::Word, 2> accelerators{"off", "on"};
+constexpr std::array<core::Word, 1> integrators{"report"};
+constexpr core::Range atLeastOne{.least = 1, .most = 2147483647};
+constexpr core::Range line{.least = 0, .most = 999999};
+
+using S = RenderSettings;
+
+constexpr std::array<core::OptionRow<S>, 14> rows{{
+    {.name = "accelerator",
+     .member = &S::accelerator,
+     .words = accelerators,
+     .help = "how the object is found that a ray meets; every choice gives the same picture"},
+    {.name = "globalillumination",
+     .alias = "globalilllumination",
+     .member = &S::globalIllumination,
+     .help = "recursive path tracing, or primary rays and direct light only"},
+    {.name = "antialiasing",
+     .member = &S::antialiasing,
+     .help = "jittered positions in the pixel, or all samples through its centre"},
+    {.name = "pathlength",
+     .member = &S::pathLength,
+     .range = atLeastOne,
+     .unit = "surface points",
+     .help = "the most surface points on a path; 1 is direct light only"},
+    {.name = "startline",
+     .member = &S::startLine,
+     .range = line,
+     .defaultText = "0",
+     .help = "first line to render, 0 at the top"},
+    {.name = "stopline",
+     .member = &S::stopLine,
+     .range = line,
+     .defaultText = "height-1",
+     .help = "last line to render, itself included"},
+    {.name = "samplesperpixel",
+     .member = &S::samplesPerPixel,
+     .range = atLeastOne,
+     .unit = "samples",
+     .help = "paths from the eye through each pixel"},
+    {.name = "samplesperlightsource",
+     .member = &S::samplesPerLightSource,
+     .range = atLeastOne,
+     .unit = "samples",
+     .help = "shadow rays to each area light from each surface point"},
+    {.name = "integrator",
+     .member = &S::integrator,
+     .words = integrators,
+     .help = "how light is added up; report is the report's own way, plain and slow"},
+    {.name = "seed",
+     .member = &S::seed,
+     .range = {.least = 0},
+     .help = "another seed gives other noise, the same one the same picture"},
+    {.name = "background",
+     .member = &S::background,
+     .range = core::notNegative,
+     .unit = "radiance",
+     .help = "light of a ray that leaves the scene"},
+    {.name = "exposure",
+     .member = &S::exposure,
+     .range = {.least = -64, .most = 64},
+     .unit = "stops",
+     .help = "each stop doubles what the picture file shows"},
+    {.name = "threads",
+     .member = &S::threads,
+     .range = {.least = 0, .most = 1024},
+     .defaultText = "0, all cores",
+     .help = "threads to render with; the picture does not depend on it",
+     .inPicture = false},
+    {.name = "progress",
+     .member = &S::progress,
+     .help = "a progress line on a terminal, and a summary at the end",
+     .inPicture = false},
+}};
+
+}  // namespace
+
+std::span<const core::OptionRow<RenderSettings>> RenderSettings::options() {
+    return rows;
+}
+
+}  // namespace render
