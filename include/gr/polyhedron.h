@@ -12,6 +12,7 @@
 namespace gr {
 
 struct Hit;
+struct PackRay;
 struct ShapePoint;
 
 // Vertices and faces as a script gives them; a face lists its vertices, from 0, in the order of its outline.
@@ -36,9 +37,9 @@ public:
     // mesh: indices within range, finite coordinates, at least three indices to a face.
     static std::shared_ptr<const Polyhedron> make(PolygonMesh mesh, MeshRepairs& repairs);
 
-    // Finds the nearest triangle; hit is written only when one is nearer than ray.tMax.
-    bool intersect(const core::Rayf& ray, Hit& hit) const;
-    bool occluded(const core::Rayf& ray) const;
+    // Finds the nearest triangle: writes hit and shortens the ray when there is one nearer than the ray's end.
+    bool intersect(PackRay& ray, Hit& hit) const;
+    bool occluded(const PackRay& ray) const;
     ShapePoint surfaceAt(const Hit& hit) const;
 
     float extent() const { return extent_; }
@@ -46,8 +47,7 @@ public:
     std::size_t bytes() const { return packs_.size() * sizeof(Pack); }
 
 private:
-    // Triangles side by side, a lane each, so that a ray is tested against a whole pack in one go. The last pack is
-    // filled up with empty triangles, which no ray meets.
+    // The last pack is filled up with empty triangles, which no ray meets.
     static constexpr int width = 4;
     struct alignas(16) Pack {
         float vertex[3][3][width] = {};  // [vertex][axis][triangle]

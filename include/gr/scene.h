@@ -27,6 +27,8 @@ struct Instance {
     float error = 0;
     float errorPerUnit = 0;
 
+    bool isInPlace = false;  // whether its own space is the world
+
     core::Rayf toObject(const core::Rayf& ray) const {
         return {objectFromWorld.point(ray.origin), objectFromWorld.vector(ray.direction), ray.tMax};
     }

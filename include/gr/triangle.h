@@ -5,60 +5,120 @@
 
 namespace gr {
 
+// Which part of a triangle a ray goes through.
+template<class Real>
+struct TriangleCrossing {
+    core::Mask<Real> inside;
+    Real u, v, w;  // the areas opposite to the three vertices, all of them times the same factor
+};
+
 template<class Real>
 struct TriangleHit {
     Real t;  // infinity where the ray misses
     Real b1, b2;  // weights of the second and the third vertex at the hit
 };
 
-// A ray made ready to be tested against many triangles: two axes that look along the ray, so that in them the ray is
-// the point 0, and one that measures t.
-// Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): each vertex is projected in the same way
-// for all triangles that share it, and each edge is decided by the sign of one difference of products, which rounding
-// can make 0 but never turn; 0 counts as inside on both sides. So no ray slips between two triangles.
-// Contracting that difference into a fused multiply-add would break this: the build forbids it.
+// The axes in another order, a ray's longest one last: the same order in all lanes,
+struct UniformAxes {
+    int x, y, z;
+
+    explicit UniformAxes(const core::Vec3f& direction) {
+        const core::Vec3f size = glm::abs(direction);
+        z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        x = (z + 1) % 3;
+        y = (z + 2) % 3;
+    }
+    template<class Real>
+    core::Vec3<Real> permute(const core::Vec3<Real>& v) const {
+        return {v[x], v[y], v[z]};
+    }
+};
+
+// or an order for each lane.
 template<class Real>
+struct LaneAxes {
+    core::Mask<Real> xLast, yLast;
+
+    explicit LaneAxes(const core::Vec3<Real>& direction) {
+        const core::Vec3<Real> size = {core::abs(direction.x), core::abs(direction.y), core::abs(direction.z)};
+        xLast = (size.x >= size.y) & (size.x >= size.z);
+        yLast = !xLast & (size.y >= size.z);
+    }
+    core::Vec3<Real> permute(const core::Vec3<Real>& v) const {
+        const auto pick = [&](const Real& ifX, const Real& ifY, const Real& ifZ) {
+            return core::select(xLast, ifX, core::select(yLast, ifY, ifZ));
+        };
+        return {pick(v.y, v.z, v.x), pick(v.z, v.x, v.y), pick(v.x, v.y, v.z)};
+    }
+};
+
+template<class Real>
+using AxesOf = std::conditional_t<std::is_same_v<Real, float>, UniformAxes, LaneAxes<Real>>;
+
+// A ray made ready to be tested against many triangles.
+// Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013): space is sheared so that the ray becomes the
+// last axis. Each vertex is sheared in the same way for all triangles that share it, and each edge is decided by the
+// sign of one difference of products, which rounding can make 0 but never turn; 0 counts as inside on both sides. So no
+// ray slips between two triangles. Contracting that difference into a fused multiply-add would break this: the build
+// forbids it.
+template<class Real, class Axes = AxesOf<Real>>
 struct TriangleRay {
-    core::Vec3<Real> origin, across1, across2, along;
+    Axes axes;
+    core::Vec3<Real> origin;  // permuted
+    Real slopeX, slopeY, scale;  // the shear, and what makes t of the last coordinate
     Real tMax;
 
-    explicit TriangleRay(const core::Ray<Real>& ray) : origin(ray.origin), tMax(ray.tMax) {
-        using core::select;
-        const core::Vec3<Real> d = ray.direction;
-        const core::Vec3<Real> size = {core::abs(d.x), core::abs(d.y), core::abs(d.z)};
-        const core::Mask<Real> xLargest = (size.x >= size.y) & (size.x >= size.z);
-        const core::Mask<Real> yLargest = (size.y > size.x) & (size.y >= size.z);
-        const Real zero(0), one(1);
-
-        // Shear along the direction's largest axis: the two others stay as they are.
-        const Real largest = select(xLargest, d.x, select(yLargest, d.y, d.z));
-        const core::Vec3<Real> slope = -d / largest;
-        across1 = {select(xLargest, slope.y, one), select(xLargest, one, select(yLargest, slope.x, zero)),
-                   select(xLargest | yLargest, zero, slope.x)};
-        across2 = {select(xLargest, slope.z, zero), select(xLargest, zero, select(yLargest, slope.z, one)),
-                   select(xLargest | yLargest, one, slope.y)};
-        along = d / glm::dot(d, d);
+    explicit TriangleRay(const core::Ray<Real>& ray)
+        : axes(ray.direction), origin(axes.permute(ray.origin)), tMax(ray.tMax) {
+        const core::Vec3<Real> d = axes.permute(ray.direction);
+        scale = Real(1) / d.z;
+        slopeX = d.x * scale;
+        slopeY = d.y * scale;
     }
 
-    TriangleHit<Real> intersect(const core::Vec3<Real>& v0, const core::Vec3<Real>& v1,
-                                const core::Vec3<Real>& v2) const {
-        const core::Vec3<Real> a = v0 - origin, b = v1 - origin, c = v2 - origin;
-        const Real ax = glm::dot(a, across1), ay = glm::dot(a, across2);
-        const Real bx = glm::dot(b, across1), by = glm::dot(b, across2);
-        const Real cx = glm::dot(c, across1), cy = glm::dot(c, across2);
+    // The same ray in every lane.
+    template<class One>
+    requires(std::is_same_v<One, float> &&
+             !std::is_same_v<Real, float>) explicit TriangleRay(const TriangleRay<One>& ray)
+        : axes(ray.axes),
+          origin(core::broadcast<Real>(ray.origin)),
+          slopeX(ray.slopeX),
+          slopeY(ray.slopeY),
+          scale(ray.scale),
+          tMax(ray.tMax) {}
 
-        // Twice the areas of the triangles between the ray and each edge.
+    // Vertices are permuted ones here and in hit.
+    TriangleCrossing<Real> cross(const core::Vec3<Real>& v0, const core::Vec3<Real>& v1,
+                                 const core::Vec3<Real>& v2) const {
+        const core::Vec3<Real> a = v0 - origin, b = v1 - origin, c = v2 - origin;
+        const Real ax = a.x - slopeX * a.z, ay = a.y - slopeY * a.z;
+        const Real bx = b.x - slopeX * b.z, by = b.y - slopeY * b.z;
+        const Real cx = c.x - slopeX * c.z, cy = c.y - slopeY * c.z;
         const Real u = cx * by - cy * bx;
         const Real v = ax * cy - ay * cx;
         const Real w = bx * ay - by * ax;
         const Real zero(0);
         const core::Mask<Real> inside =
             ((u >= zero) & (v >= zero) & (w >= zero)) | ((u <= zero) & (v <= zero) & (w <= zero));
-        const Real area = u + v + w;
+        return {inside, u, v, w};
+    }
+
+    // t as the mean of the vertices', weighted by the areas. A triangle seen edge-on has no area and is missed.
+    TriangleHit<Real> hit(const TriangleCrossing<Real>& crossing, const core::Vec3<Real>& v0,
+                          const core::Vec3<Real>& v1, const core::Vec3<Real>& v2) const {
+        const Real area = crossing.u + crossing.v + crossing.w;
         const Real inverse = Real(1) / area;
-        const Real t = (u * glm::dot(a, along) + v * glm::dot(b, along) + w * glm::dot(c, along)) * inverse;
-        const core::Mask<Real> hits = inside & (area != zero) & (t > zero) & (t < tMax);
-        return {core::select(hits, t, Real(core::infinity)), v * inverse, w * inverse};
+        const Real sum =
+            crossing.u * (v0.z - origin.z) + crossing.v * (v1.z - origin.z) + crossing.w * (v2.z - origin.z);
+        const Real t = sum * scale * inverse;
+        const core::Mask<Real> hits = crossing.inside & (area != Real(0)) & (t > Real(0)) & (t < tMax);
+        return {core::select(hits, t, Real(core::infinity)), crossing.v * inverse, crossing.w * inverse};
+    }
+
+    TriangleHit<Real> intersect(const core::Vec3<Real>& v0, const core::Vec3<Real>& v1,
+                                const core::Vec3<Real>& v2) const {
+        const core::Vec3<Real> a = axes.permute(v0), b = axes.permute(v1), c = axes.permute(v2);
+        return hit(cross(a, b, c), a, b, c);
     }
 };
 

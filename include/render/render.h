@@ -29,7 +29,4 @@ struct RenderResult {
 RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
                     Progress& progress, const std::atomic<bool>& stop);
 
-// The number of threads that `threads` asks for, 0 being all cores.
-int threadCount(int threads);
-
 }  // namespace render

@@ -120,6 +120,7 @@ private:
         const glm::dmat4 inverse = glm::inverse(matrix);
         Instance instance{
             .worldFromObject = core::Transform(matrix), .objectFromWorld = core::Transform(inverse), .shape = shape};
+        instance.isInPlace = matrix == glm::dmat4(1);
         setErrorBounds(instance, matrix, inverse, extent);
         scene_.instances.push_back(instance);
     }

@@ -4,16 +4,12 @@
 
 #include "gr/mesh_repair.h"
 #include "gr/shape.h"
-#include "gr/triangle.h"
+#include "gr/triangle_pack.h"
+
+#include <algorithm>
+#include <optional>
 
 namespace gr {
-namespace {
-
-// As many lanes as a pack has, whatever else the machine could do: SSE2 is part of every x86-64.
-using PackLanes = xsimd::batch<float>;
-
-}  // namespace
-
 std::string MeshRepairs::text() const {
     std::string text;
     const auto add = [&](int count, const char* one, const char* many) {
@@ -56,50 +52,46 @@ core::Vec3f Polyhedron::vertex(std::uint32_t triangle, int corner) const {
 
 namespace {
 
-core::Ray<PackLanes> broadcast(const core::Rayf& ray) {
-    return {core::broadcast<PackLanes>(ray.origin), core::broadcast<PackLanes>(ray.direction), PackLanes(ray.tMax)};
-}
-
+// Most packs are missed by most rays: how far along the ray is asked only where it is not.
 template<class Pack>
-TriangleHit<PackLanes> intersectPack(const TriangleRay<PackLanes>& ray, const Pack& pack) {
+[[gnu::always_inline]] inline std::optional<TriangleHit<PackLanes>> intersectPack(const PackRay& ray,
+                                                                                  const Pack& pack) {
     static_assert(PackLanes::size == 4, "a pack is as wide as the baseline's lanes");
     const auto corner = [&](int i) {
-        const auto& axes = pack.vertex[i];
-        return core::Vec3<PackLanes>(PackLanes::load_aligned(axes[0]), PackLanes::load_aligned(axes[1]),
-                                     PackLanes::load_aligned(axes[2]));
+        const auto axis = [&](int k) { return PackLanes::load_aligned(pack.vertex[i][k]); };
+        return core::Vec3<PackLanes>(axis(ray.axes.x), axis(ray.axes.y), axis(ray.axes.z));
     };
-    return ray.intersect(corner(0), corner(1), corner(2));
+    const core::Vec3<PackLanes> a = corner(0), b = corner(1), c = corner(2);
+    const TriangleCrossing<PackLanes> crossing = ray.cross(a, b, c);
+    if (!xsimd::any(crossing.inside)) return std::nullopt;
+    const TriangleHit<PackLanes> hit = ray.hit(crossing, a, b, c);
+    if (!xsimd::any(hit.t < ray.tMax)) return std::nullopt;
+    return hit;
 }
 
 }  // namespace
 
-bool Polyhedron::intersect(const core::Rayf& ray, Hit& hit) const {
-    TriangleRay<PackLanes> lanesRay(broadcast(ray));
-    float nearest = ray.tMax;
+bool Polyhedron::intersect(PackRay& ray, Hit& hit) const {
+    bool found = false;
     for (std::size_t i = 0; i < packs_.size(); ++i) {
-        const TriangleHit<PackLanes> found = intersectPack(lanesRay, packs_[i]);
-        if (!xsimd::any(found.t < PackLanes(nearest))) continue;
+        const auto packHit = intersectPack(ray, packs_[i]);
+        if (!packHit) continue;
         alignas(16) float t[width], b1[width], b2[width];
-        found.t.store_aligned(t);
-        found.b1.store_aligned(b1);
-        found.b2.store_aligned(b2);
-        for (int lane = 0; lane < width; ++lane) {
-            if (t[lane] >= nearest) continue;
-            nearest = t[lane];
-            hit.t = nearest;
-            hit.triangle = static_cast<std::uint32_t>(i * width + lane);
-            hit.b1 = b1[lane];
-            hit.b2 = b2[lane];
-        }
-        lanesRay.tMax = PackLanes(nearest);
+        packHit->t.store_aligned(t);
+        packHit->b1.store_aligned(b1);
+        packHit->b2.store_aligned(b2);
+        const int nearest = static_cast<int>(std::min_element(t, t + width) - t);
+        hit = {t[nearest], 0, static_cast<std::uint32_t>(i * width + static_cast<std::size_t>(nearest)), b1[nearest],
+               b2[nearest]};
+        ray.shortenTo(hit.t);
+        found = true;
     }
-    return nearest < ray.tMax;
+    return found;
 }
 
-bool Polyhedron::occluded(const core::Rayf& ray) const {
-    const TriangleRay<PackLanes> lanesRay(broadcast(ray));
+bool Polyhedron::occluded(const PackRay& ray) const {
     for (const Pack& pack : packs_)
-        if (xsimd::any(intersectPack(lanesRay, pack).t < PackLanes(ray.tMax))) return true;
+        if (intersectPack(ray, pack)) return true;
     return false;
 }
 

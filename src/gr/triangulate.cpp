@@ -108,7 +108,10 @@ std::vector<glm::ivec3> triangulate(const PolygonMesh& mesh) {
         std::vector<glm::ivec3> corners;
         if (crossesItself(outline) || !clipEars(outline, corners)) {
             std::string words;
-            for (const int v : face) words += (words.empty() ? "" : " ") + std::to_string(v);
+            for (const int v : face) {
+                if (!words.empty()) words += ' ';
+                words += std::to_string(v);
+            }
             throw core::Error("MESH", "CROSSING", words, "the outline of face {" + words + "} crosses itself");
         }
         for (const glm::ivec3& c : corners) triangles.emplace_back(face[c.x], face[c.y], face[c.z]);

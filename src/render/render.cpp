@@ -1,8 +1,6 @@
 #include "render/render.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "render/parallel.h"
 
 #include <mutex>
 
@@ -83,10 +81,6 @@ private:
 
 }  // namespace
 
-int threadCount(int threads) {
-    return threads > 0 ? threads : tbb::this_task_arena::max_concurrency();
-}
-
 RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
                     Progress& progress, const std::atomic<bool>& stop) {
     const Renderer renderer(integrator, camera, settings, stop);
@@ -96,23 +90,16 @@ RenderResult render(const Integrator& integrator, const Camera& camera, const Re
     result.threads = threadCount(settings.threads);
     std::mutex resultMutex;
 
-    const auto renderTiles = [&](const tbb::blocked_range<int>& tiles) {
-        for (int tile = tiles.begin(); tile < tiles.end() && !stop.load(std::memory_order_relaxed); ++tile) {
-            Tally tally(progress);
-            const int left = tile % columns * tileSize;
-            const int top = film.startLine() + tile / columns * tileSize;
-            renderer.renderTile(film, left, top, tally);
-            const std::lock_guard lock(resultMutex);
-            result.rays += tally.rays;
-            result.samples += tally.samples;
-            result.droppedSamples += tally.dropped;
-        }
-    };
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(result.threads));
-    tbb::task_arena arena(result.threads);
-    arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<int>(0, rows * columns, 1), renderTiles, tbb::simple_partitioner{});
+    parallelFor(rows * columns, result.threads, [&](int tile) {
+        if (stop.load(std::memory_order_relaxed)) return;
+        Tally tally(progress);
+        const int left = tile % columns * tileSize;
+        const int top = film.startLine() + tile / columns * tileSize;
+        renderer.renderTile(film, left, top, tally);
+        const std::lock_guard lock(resultMutex);
+        result.rays += tally.rays;
+        result.samples += tally.samples;
+        result.droppedSamples += tally.dropped;
     });
     result.finished = !stop.load();
     return result;
