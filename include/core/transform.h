@@ -5,12 +5,15 @@
 
 namespace core {
 
-struct Transform {
+// Coefficient: float, or a batch with another map in each lane. Points and vectors are over Real, which is at least
+// as wide.
+template<class Coefficient>
+struct AffineMap {
     // columns of the linear part, then the translation
-    Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, translation{0, 0, 0};
+    Vec3<Coefficient> x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, translation{0, 0, 0};
 
-    Transform() = default;
-    explicit Transform(const glm::dmat4& m) : x(m[0]), y(m[1]), z(m[2]), translation(m[3]) {}
+    AffineMap() = default;
+    explicit AffineMap(const glm::dmat4& m) : x(m[0]), y(m[1]), z(m[2]), translation(m[3]) {}
 
     template<class Real>
     Vec3<Real> vector(const Vec3<Real>& v) const {
@@ -28,5 +31,7 @@ struct Transform {
                 z.x * v.x + z.y * v.y + z.z * v.z};
     }
 };
+
+using Transform = AffineMap<float>;
 
 }  // namespace core

@@ -14,6 +14,7 @@ namespace gr {
 struct Hit;
 struct PackRay;
 struct ShapePoint;
+struct TrianglePack;
 
 // Vertices and faces as a script gives them; a face lists its vertices, from 0, in the order of its outline.
 struct PolygonMesh {
@@ -35,28 +36,23 @@ class Polyhedron {
 public:
     // Throws core::Error for a face that is not simple (its outline crosses itself) and for a mesh without any area.
     // mesh: indices within range, finite coordinates, at least three indices to a face.
+    ~Polyhedron();
     static std::shared_ptr<const Polyhedron> make(PolygonMesh mesh, MeshRepairs& repairs);
 
-    // Finds the nearest triangle: writes hit and shortens the ray when there is one nearer than the ray's end.
-    bool intersect(PackRay& ray, Hit& hit) const;
+    // Replaces `nearest` by the hit of a triangle that comes before it. instance: what stands here for the polyhedron.
+    void intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const;
     bool occluded(const PackRay& ray) const;
     ShapePoint surfaceAt(const Hit& hit) const;
 
     float extent() const { return extent_; }
     std::size_t triangleCount() const { return triangleCount_; }
-    std::size_t bytes() const { return packs_.size() * sizeof(Pack); }
+    core::Vec3f vertex(std::uint32_t triangle, int corner) const;
+    std::size_t bytes() const;
 
 private:
-    // The last pack is filled up with empty triangles, which no ray meets.
-    static constexpr int width = 4;
-    struct alignas(16) Pack {
-        float vertex[3][3][width] = {};  // [vertex][axis][triangle]
-    };
-
     explicit Polyhedron(const std::vector<glm::dvec3>& vertices, const std::vector<glm::ivec3>& triangles);
-    core::Vec3f vertex(std::uint32_t triangle, int corner) const;
 
-    std::vector<Pack> packs_;
+    std::vector<TrianglePack> packs_;
     std::size_t triangleCount_ = 0;
     float extent_ = 0;  // the largest coordinate
 };

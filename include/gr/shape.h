@@ -11,12 +11,18 @@
 
 namespace gr {
 
-// Where the nearest t was found, beside t itself.
+// Where a ray met something.
 struct Hit {
-    float t = core::infinity;
+    float t = core::infinity;  // infinity: nowhere
     std::uint32_t instance = 0;  // index into Scene::instances
     std::uint32_t triangle = 0;  // for a polyhedron: which one,
     float b1 = 0, b2 = 0;  // and the weights of its second and third vertex
+
+    // Where two surfaces coincide the one made first is hit, in whatever order they are tested.
+    bool isBefore(const Hit& other) const {
+        if (t != other.t) return t < other.t;
+        return instance != other.instance ? instance < other.instance : triangle < other.triangle;
+    }
 };
 
 // A point of a surface and the outward normal (not of unit length) there, in the shape's own space.
@@ -101,7 +107,8 @@ struct Square {
     }
 };
 
-// A polyhedron is shared by all its instances; the scene owns it.
-using Shape = std::variant<Sphere, Box, Square, const Polyhedron*>;
+// A polyhedron is shared by all its instances; the scene owns it. The others have no parameters: size and place are
+// their instance's.
+using Shape = std::variant<const Polyhedron*, Sphere, Box, Square>;
 
 }  // namespace gr

@@ -1,70 +1,153 @@
 #include "gr/accelerator.h"
+#include "gr/pack.h"
 #include "gr/scene.h"
-#include "gr/triangle_pack.h"
+
+#include <tuple>
 
 namespace gr {
 namespace {
 
-// The report's linear search, and the oracle for every other accelerator.
+// For each shape without parameters, its instances in packs.
+template<class>
+struct PacksOf;
+template<class... Shapes>
+struct PacksOf<std::variant<const Polyhedron*, Shapes...>> {
+    using Type = std::tuple<std::vector<InstancePack<Shapes>>...>;
+};
+
+// The report's linear search, and the oracle for every other accelerator: every ray is tested against every object,
+// four of a kind at once.
 class NoAccelerator final : public Accelerator {
 public:
-    explicit NoAccelerator(const Scene& scene) : instances_(scene.instances) {}
+    explicit NoAccelerator(const Scene& scene) : scene_(scene) {
+        for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+            std::visit([&](auto shape) { add(i, shape); }, scene.instances[i].shape);
+    }
 
     std::optional<Hit> intersect(const core::Rayf& ray) const override {
-        WorldRay world{ray};
         Hit nearest;
-        for (std::size_t i = 0; i < instances_.size(); ++i) {
-            if (!std::visit([&](auto shape) { return hits(instances_[i], shape, world, nearest); },
-                            instances_[i].shape))
-                continue;
-            nearest.instance = static_cast<std::uint32_t>(i);
-            world.shortenTo(nearest.t);
-        }
+        const PackRay packRay(ray);
+        for (const MeshPack& pack : smallMeshes_)
+            pack.triangles.intersect(packRay, [&](const TriangleHit<PackLanes>& found) {
+                if (!xsimd::any(found.t <= PackLanes(nearest.t))) return;
+                const LaneValues t(found.t), b1(found.b1), b2(found.b2);
+                for (int lane = 0; lane < packWidth; ++lane) {
+                    const Hit hit{t[lane], pack.instance[lane], pack.triangle[lane], b1[lane], b2[lane]};
+                    if (hit.isBefore(nearest)) nearest = hit;
+                }
+            });
+        const core::Ray<PackLanes> lanesRay = broadcast(ray);
+        forEachPack([&](const auto& pack) {
+            const PackLanes found = pack.intersect(lanesRay);
+            if (!xsimd::any(found <= PackLanes(nearest.t))) return false;
+            const LaneValues t(found);
+            for (int lane = 0; lane < packWidth; ++lane) {
+                const Hit hit{t[lane], pack.instance[lane]};
+                if (hit.isBefore(nearest)) nearest = hit;
+            }
+            return false;
+        });
+        for (const std::uint32_t i : polyhedra_)
+            polyhedronOf(i).intersect(PackRay(scene_.instances[i].toObject(ray)), i, nearest);
         if (nearest.t == core::infinity) return std::nullopt;
         return nearest;
     }
 
     bool occluded(const core::Rayf& ray) const override {
-        const WorldRay world{ray};
-        for (const Instance& instance : instances_)
-            if (std::visit([&](auto shape) { return blocks(instance, shape, world); }, instance.shape)) return true;
-        return false;
+        const PackLanes never(core::infinity);
+        bool isMet = false;
+        const PackRay packRay(ray);
+        for (std::size_t i = 0; i < smallMeshes_.size() && !isMet; ++i)
+            smallMeshes_[i].triangles.intersect(
+                packRay, [&](const TriangleHit<PackLanes>& found) { isMet = xsimd::any(found.t < never); });
+        const core::Ray<PackLanes> lanesRay = broadcast(ray);
+        isMet = isMet || forEachPack([&](const auto& pack) { return xsimd::any(pack.intersect(lanesRay) < never); });
+        for (std::size_t i = 0; i < polyhedra_.size() && !isMet; ++i)
+            isMet = polyhedronOf(polyhedra_[i]).occluded(PackRay(scene_.instances[polyhedra_[i]].toObject(ray)));
+        return isMet;
     }
 
-    std::size_t bytes() const override { return 0; }
+    std::size_t bytes() const override {
+        std::size_t bytes = smallMeshes_.capacity() * sizeof(MeshPack) + polyhedra_.capacity() * sizeof(std::uint32_t);
+        const auto add = [&]<class Pack>(const std::vector<Pack>& packs) { bytes += packs.capacity() * sizeof(Pack); };
+        std::apply([&](const auto&... packs) { (add(packs), ...); }, packs_);
+        return bytes;
+    }
 
 private:
-    // A ray, made ready for triangles once for all polyhedra that stand in the world as they are.
-    struct WorldRay {
-        core::Rayf ray;
-        PackRay packRay{ray};
-
-        void shortenTo(float t) {
-            ray.tMax = t;
-            packRay.shortenTo(t);
-        }
+    // Triangles of meshes that stand in the world as they are, several meshes' in a pack.
+    struct MeshPack {
+        TrianglePack triangles;
+        std::uint32_t instance[packWidth] = {};
+        std::uint32_t triangle[packWidth] = {};
     };
+    // A larger mesh fills its own packs well enough to be left where it is.
+    static constexpr std::size_t mostTrianglesOfSmallMesh = 64;
 
-    static bool hits(const Instance& instance, auto shape, const WorldRay& world, Hit& hit) {
-        const float t = shape.intersect(instance.toObject(world.ray));
-        if (t == core::infinity) return false;
-        hit.t = t;
-        return true;
-    }
-    static bool hits(const Instance& instance, const Polyhedron* polyhedron, WorldRay& world, Hit& hit) {
-        if (instance.isInPlace) return polyhedron->intersect(world.packRay, hit);
-        PackRay ray(instance.toObject(world.ray));
-        return polyhedron->intersect(ray, hit);
-    }
-    static bool blocks(const Instance& instance, auto shape, const WorldRay& world) {
-        return shape.intersect(instance.toObject(world.ray)) != core::infinity;
-    }
-    static bool blocks(const Instance& instance, const Polyhedron* polyhedron, const WorldRay& world) {
-        if (instance.isInPlace) return polyhedron->occluded(world.packRay);
-        return polyhedron->occluded(PackRay(instance.toObject(world.ray)));
+    const Polyhedron& polyhedronOf(std::uint32_t instance) const {
+        return *std::get<const Polyhedron*>(scene_.instances[instance].shape);
     }
 
-    const std::vector<Instance>& instances_;
+    // Calls function(pack) for each pack of instances until one call returns true, and returns whether one did.
+    bool forEachPack(auto&& function) const {
+        const auto inOneList = [&](const auto& packs) {
+            for (const auto& pack : packs)
+                if (function(pack)) return true;
+            return false;
+        };
+        return std::apply([&](const auto&... packs) { return (inOneList(packs) || ...); }, packs_);
+    }
+
+    template<class Shape>
+    void add(std::uint32_t instance, Shape) {
+        auto& packs = std::get<std::vector<InstancePack<Shape>>>(packs_);
+        std::size_t& count = counts_[scene_.instances[instance].shape.index()];
+        if (count % packWidth == 0) packs.emplace_back();
+        InstancePack<Shape>& pack = packs.back();
+        // The lanes behind are overwritten by the next ones; until then they repeat this one.
+        for (std::size_t lane = count % packWidth; lane < packWidth; ++lane) set(pack, lane, instance);
+        ++count;
+    }
+
+    void add(std::uint32_t instance, const Polyhedron* polyhedron) {
+        if (!scene_.instances[instance].isInPlace || polyhedron->triangleCount() > mostTrianglesOfSmallMesh) {
+            polyhedra_.push_back(instance);
+            return;
+        }
+        for (std::uint32_t i = 0; i < polyhedron->triangleCount(); ++i, ++smallTriangles_) {
+            const int lane = static_cast<int>(smallTriangles_ % packWidth);
+            if (lane == 0) smallMeshes_.emplace_back();
+            MeshPack& pack = smallMeshes_.back();
+            for (int corner = 0; corner < 3; ++corner) pack.triangles.set(lane, corner, polyhedron->vertex(i, corner));
+            pack.instance[lane] = instance;
+            pack.triangle[lane] = i;
+        }
+    }
+
+    template<class Pack>
+    void set(Pack& pack, std::size_t lane, std::uint32_t instance) {
+        pack.instance[lane] = instance;
+        const core::Transform& from = scene_.instances[instance].objectFromWorld;
+        const auto setLane = [lane](PackLanes& lanes, float value) {
+            alignas(16) float values[packWidth];
+            lanes.store_aligned(values);
+            values[lane] = value;
+            lanes = PackLanes::load_aligned(values);
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            setLane(pack.objectFromWorld.x[axis], from.x[axis]);
+            setLane(pack.objectFromWorld.y[axis], from.y[axis]);
+            setLane(pack.objectFromWorld.z[axis], from.z[axis]);
+            setLane(pack.objectFromWorld.translation[axis], from.translation[axis]);
+        }
+    }
+
+    const Scene& scene_;
+    std::vector<MeshPack> smallMeshes_;
+    std::size_t smallTriangles_ = 0;
+    typename PacksOf<Shape>::Type packs_;
+    std::array<std::size_t, std::variant_size_v<Shape>> counts_{};  // instances of each shape
+    std::vector<std::uint32_t> polyhedra_;  // the other meshes
 };
 
 }  // namespace

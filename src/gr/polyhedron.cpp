@@ -1,15 +1,13 @@
 #include "gr/polyhedron.h"
 
 #include "core/error.h"
-
 #include "gr/mesh_repair.h"
-#include "gr/shape.h"
-#include "gr/triangle_pack.h"
+#include "gr/pack.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace gr {
+
 std::string MeshRepairs::text() const {
     std::string text;
     const auto add = [&](int count, const char* one, const char* many) {
@@ -34,65 +32,45 @@ std::shared_ptr<const Polyhedron> Polyhedron::make(PolygonMesh mesh, MeshRepairs
 }
 
 Polyhedron::Polyhedron(const std::vector<glm::dvec3>& vertices, const std::vector<glm::ivec3>& triangles)
-    : packs_((triangles.size() + width - 1) / width), triangleCount_(triangles.size()) {
+    : packs_((triangles.size() + packWidth - 1) / packWidth), triangleCount_(triangles.size()) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         for (int corner = 0; corner < 3; ++corner) {
-            const core::Vec3f v(vertices[triangles[i][corner]]);
+            const core::Vec3f v(vertices[static_cast<std::size_t>(triangles[i][corner])]);
             extent_ = std::max(extent_, core::largestComponent(v));
-            for (int axis = 0; axis < 3; ++axis) packs_[i / width].vertex[corner][axis][i % width] = v[axis];
+            packs_[i / packWidth].set(static_cast<int>(i % packWidth), corner, v);
         }
     }
 }
 
+Polyhedron::~Polyhedron() = default;
+
 core::Vec3f Polyhedron::vertex(std::uint32_t triangle, int corner) const {
-    const auto& axes = packs_[triangle / width].vertex[corner];
-    const int lane = triangle % width;
-    return {axes[0][lane], axes[1][lane], axes[2][lane]};
+    return packs_[triangle / packWidth].corner(static_cast<int>(triangle % packWidth), corner);
 }
 
-namespace {
-
-// Most packs are missed by most rays: how far along the ray is asked only where it is not.
-template<class Pack>
-[[gnu::always_inline]] inline std::optional<TriangleHit<PackLanes>> intersectPack(const PackRay& ray,
-                                                                                  const Pack& pack) {
-    static_assert(PackLanes::size == 4, "a pack is as wide as the baseline's lanes");
-    const auto corner = [&](int i) {
-        const auto axis = [&](int k) { return PackLanes::load_aligned(pack.vertex[i][k]); };
-        return core::Vec3<PackLanes>(axis(ray.axes.x), axis(ray.axes.y), axis(ray.axes.z));
-    };
-    const core::Vec3<PackLanes> a = corner(0), b = corner(1), c = corner(2);
-    const TriangleCrossing<PackLanes> crossing = ray.cross(a, b, c);
-    if (!xsimd::any(crossing.inside)) return std::nullopt;
-    const TriangleHit<PackLanes> hit = ray.hit(crossing, a, b, c);
-    if (!xsimd::any(hit.t < ray.tMax)) return std::nullopt;
-    return hit;
+std::size_t Polyhedron::bytes() const {
+    return packs_.size() * sizeof(TrianglePack);
 }
 
-}  // namespace
-
-bool Polyhedron::intersect(PackRay& ray, Hit& hit) const {
-    bool found = false;
+void Polyhedron::intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const {
     for (std::size_t i = 0; i < packs_.size(); ++i) {
-        const auto packHit = intersectPack(ray, packs_[i]);
-        if (!packHit) continue;
-        alignas(16) float t[width], b1[width], b2[width];
-        packHit->t.store_aligned(t);
-        packHit->b1.store_aligned(b1);
-        packHit->b2.store_aligned(b2);
-        const int nearest = static_cast<int>(std::min_element(t, t + width) - t);
-        hit = {t[nearest], 0, static_cast<std::uint32_t>(i * width + static_cast<std::size_t>(nearest)), b1[nearest],
-               b2[nearest]};
-        ray.shortenTo(hit.t);
-        found = true;
+        packs_[i].intersect(ray, [&](const TriangleHit<PackLanes>& found) {
+            const LaneValues t(found.t), b1(found.b1), b2(found.b2);
+            for (int lane = 0; lane < packWidth; ++lane) {
+                const auto triangle = static_cast<std::uint32_t>(i * packWidth) + static_cast<std::uint32_t>(lane);
+                const Hit hit{t[lane], instance, triangle, b1[lane], b2[lane]};
+                if (hit.isBefore(nearest)) nearest = hit;
+            }
+        });
     }
-    return found;
 }
 
 bool Polyhedron::occluded(const PackRay& ray) const {
-    for (const Pack& pack : packs_)
-        if (intersectPack(ray, pack)) return true;
-    return false;
+    bool isMet = false;
+    for (std::size_t i = 0; i < packs_.size() && !isMet; ++i)
+        packs_[i].intersect(
+            ray, [&](const TriangleHit<PackLanes>& found) { isMet = xsimd::any(found.t < PackLanes(core::infinity)); });
+    return isMet;
 }
 
 ShapePoint Polyhedron::surfaceAt(const Hit& hit) const {
