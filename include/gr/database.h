@@ -67,6 +67,8 @@ private:
     Node& get(std::string_view path);
     [[noreturn]] void throwUnknownNode(std::string_view path) const;
     void checkNoCycle(const Node& parent, const Node& target) const;
+    // Throws when an instance that is not in `except` stands for the node.
+    void checkNotInstanced(const Node& node, const std::unordered_set<const Node*>& except) const;
     void multiply(std::string_view node, const glm::dmat4& matrix);
     void erase(const Node& node);
 

@@ -42,7 +42,7 @@ public:
     // Replaces `nearest` by the hit of a triangle that comes before it. instance: what stands here for the polyhedron.
     void intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const;
     bool occluded(const PackRay& ray) const;
-    ShapePoint surfaceAt(const Hit& hit) const;
+    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const;
 
     float extent() const { return extent_; }
     std::size_t triangleCount() const { return triangleCount_; }

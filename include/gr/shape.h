@@ -2,6 +2,8 @@
 // and add it to Shape.
 // intersect returns the smallest t with 0 < t < ray.tMax at which the ray meets the shape, or infinity. Where a ray
 // starts is decided by signs that rounding cannot turn, so that one which starts a hair outside stays outside.
+// surfaceAt keeps the point `margin` away from the edges of its face, along each axis: far enough for a ray that goes
+// on from there, a hair off the face, to start on the same side of the faces beyond the edges.
 #pragma once
 
 #include "core/ray.h"
@@ -29,6 +31,7 @@ struct Hit {
 struct ShapePoint {
     core::Vec3f position;
     core::Vec3f normal;
+    bool front;  // whether the ray came from the side of the normal, also where rounding hides it
 };
 
 // The unit sphere at the origin.
@@ -46,7 +49,7 @@ struct Sphere {
         const Real discriminant = Real(1) - glm::dot(nearest, nearest);
         const core::Mask<Real> meets = discriminant >= Real(0);
         const Real root = core::sqrt(a * core::max(discriminant, Real(0)));
-        const Real q = b + core::copysign(root, b);
+        const Real q = b + select(b < Real(0), -root, root);  // not copysign: lanes may differ in the sign of a zero
         const Real c = glm::dot(ray.origin, ray.origin) - Real(1);
         const Real t1 = c / q;
         const Real t2 = q / a;
@@ -56,9 +59,12 @@ struct Sphere {
         return select(meets & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
     }
 
-    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const {
+    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const {
         const core::Vec3f p = glm::normalize(ray.origin + ray.direction * hit.t);
-        return {p, p};
+        const bool front = glm::dot(ray.origin, ray.origin) - 1 > 0;
+        // Seen from within, the sphere comes nearer sideways, by half the square of how far.
+        const float sagitta = core::min(0.5f * glm::dot(margin, margin), 0.5f);
+        return {front ? p : p * (1 - sagitta), p, front};
     }
 };
 
@@ -85,7 +91,7 @@ struct Box {
         return select(meets & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
     }
 
-    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
+    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const;
 };
 
 // The square [-1/2, 1/2]^2 in the x-z plane, facing -y: an area light.
@@ -101,9 +107,9 @@ struct Square {
         return core::select(inside & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
     }
 
-    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const {
+    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f&) const {
         const core::Vec3f p = ray.origin + ray.direction * hit.t;
-        return {{p.x, 0, p.z}, {0, -1, 0}};
+        return {{p.x, 0, p.z}, {0, -1, 0}, ray.direction.y > 0};
     }
 };
 

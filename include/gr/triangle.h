@@ -42,7 +42,7 @@ struct LaneAxes {
     explicit LaneAxes(const core::Vec3<Real>& direction) {
         const core::Vec3<Real> size = {core::abs(direction.x), core::abs(direction.y), core::abs(direction.z)};
         xLast = (size.x >= size.y) & (size.x >= size.z);
-        yLast = !xLast & (size.y >= size.z);
+        yLast = (size.y >= size.z) & !xLast;
     }
     core::Vec3<Real> permute(const core::Vec3<Real>& v) const {
         const auto pick = [&](const Real& ifX, const Real& ifY, const Real& ifZ) {

@@ -29,7 +29,7 @@ std::string nearest(std::string_view word, std::span<const std::string_view> can
     std::string_view best;
     std::size_t bestDistance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
-        const auto [shorter, longer] = std::minmax(word.size(), candidate.size());
+        const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
         if (longer - shorter >= bestDistance) continue;
         const std::size_t distance = editDistance(word, candidate);
         if (distance >= bestDistance || distance >= longer) continue;

@@ -20,12 +20,12 @@ std::uint64_t availableMemory() {
 std::string memoryText(double bytes) {
     static constexpr const char* units[] = {"bytes", "KB", "MB", "GB", "TB", "PB", "EB"};
     int unit = 0;
-    while (bytes >= 1000 && unit < 6) {
+    while (bytes >= 999.5 && unit < 6) {
         bytes /= 1024;
         ++unit;
     }
     char text[64];
-    std::snprintf(text, sizeof text, unit == 0 || bytes >= 100 ? "%.0f %s" : "%.2g %s", bytes, units[unit]);
+    std::snprintf(text, sizeof text, unit == 0 || bytes >= 99.5 ? "%.0f %s" : "%.2g %s", bytes, units[unit]);
     return text;
 }
 

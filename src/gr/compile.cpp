@@ -8,19 +8,28 @@
 namespace gr {
 namespace {
 
-// How many nodes the subtree becomes when every instance is replaced by what it stands for. A double: nested
+// How many objects each subtree becomes when its instances are replaced by what they stand for. Doubles: nested
 // instances double, and double again.
-double expandedNodes(const Node& top) {
-    std::unordered_map<const Node*, double> known;
+using ObjectCounts = std::unordered_map<const Node*, double>;
+
+// Of top and of all that is instanced below it.
+ObjectCounts countObjects(const Node& top) {
+    ObjectCounts known;
     std::vector<const Node*> open{&top};
     while (!open.empty()) {
         const Node* subtree = open.back();
+        if (known.contains(subtree)) {
+            open.pop_back();
+            continue;
+        }
         double sum = 0;
         bool complete = true;
         for (const Node* node = subtree; node != nullptr; node = nextInSubtree(node, subtree)) {
-            sum += 1;
             const auto* instance = std::get_if<InstanceNode>(&node->content);
-            if (instance == nullptr) continue;
+            if (instance == nullptr) {
+                sum += !std::holds_alternative<TransformNode>(node->content);
+                continue;
+            }
             const auto target = known.find(instance->target);
             if (target != known.end()) {
                 sum += target->second;
@@ -33,22 +42,23 @@ double expandedNodes(const Node& top) {
         known[subtree] = sum;
         open.pop_back();
     }
-    return known.at(&top);
+    return known;
 }
 
-void checkMemory(const Node& top) {
-    const double nodes = expandedNodes(top);
-    const double needed = nodes * sizeof(Instance);
+void checkMemory(const Node& top, double objects) {
+    const double needed = objects * sizeof(Instance);
     const double available = static_cast<double>(core::availableMemory());
     if (needed > available)
         throw core::Error("SCENE", "MEMORY", top.path(),
-                          "\"" + top.path() + "\" has " + core::numberText(nodes) +
+                          "\"" + top.path() + "\" has " + core::numberText(objects) +
                               " objects when its instances are spread out, which takes " + core::memoryText(needed) +
                               " of memory; " + core::memoryText(available) + " are free");
 }
 
 class Compiler {
 public:
+    explicit Compiler(const ObjectCounts& objects) : objects_(objects) {}
+
     Scene compile(const Node& top) {
         open_.push_back({&top, glm::dmat4(1), nullptr, false});
         while (!open_.empty()) {
@@ -77,7 +87,8 @@ private:
             open_.push_back({node.next, visit.parentMatrix, visit.parentMaterial, true});
         if (node.firstChild != nullptr) open_.push_back({node.firstChild, matrix, material, true});
         if (const auto* instance = std::get_if<InstanceNode>(&node.content)) {
-            open_.push_back({instance->target, matrix, material, false});
+            // Instances of nothing could take for ever.
+            if (objects_.at(instance->target) > 0) open_.push_back({instance->target, matrix, material, false});
         } else if (!std::holds_alternative<TransformNode>(node.content)) {
             std::visit([&](const auto& content) { add(content, matrix); }, node.content);
             finish(node, material);
@@ -125,10 +136,19 @@ private:
         scene_.instances.push_back(instance);
     }
 
-    // The roundings on a point's way from the object to the world and back, each of relative size u = 2^-24:
-    //   4 where the shape computes it, 5 in worldFromObject (its entry, three products' sums, the translation),
-    //   1 in the step off the surface, 5 in objectFromWorld, and 8 in the next intersection.
-    // |M| is the largest sum of a row's absolute values. Twice that, for what the bound leaves out at second order.
+    // How far roundings may move a point along an axis on its way from the object to the world and back, in units of
+    // u = 2^-24, the relative size of one. norm is the largest sum of a row's absolute values in worldFromObject times
+    // the extent, thereAndBack that sum in |worldFromObject| |objectFromWorld|, |x| the point's largest coordinate.
+    // A row times a vector makes 4: the entries, the products and two sums.
+    //   6 norm                                    where the shape computes it
+    //   4 norm + |translation| + |x|              in worldFromObject
+    //   |x|                                       in the step off the surface
+    //   4 thereAndBack |x| + |back translation| + norm    in objectFromWorld
+    //   17 norm                                   in the next intersection: a triangle's corners, seen along the ray
+    // and for a ray along the surface, which goes on for up to twice the extent,
+    //   2 * 10 norm                               in its direction, out of the frame round the normal
+    //   2 * (4 + 4) thereAndBack norm             in its direction in the object, and in the normal in the world
+    // The error per unit is twice what this asks for, since a shadow ray also rounds by how far away it starts.
     static void setErrorBounds(Instance& instance, const glm::dmat4& matrix, const glm::dmat4& inverse, float extent) {
         double norm = 0, thereAndBack = 0, backTranslation = 0;
         for (int row = 0; row < 3; ++row) {
@@ -144,10 +164,10 @@ private:
             backTranslation = std::max(backTranslation, rowBackTranslation);
         }
         const double translation = core::largestComponent(core::Vec3f(matrix[3]));
-        constexpr double twiceU = 0x1p-23;
+        constexpr double u = 0x1p-24;
         instance.error =
-            static_cast<float>(twiceU * ((4 + 5 + 8) * norm * extent + 5 * translation + 5 * backTranslation));
-        instance.errorPerUnit = static_cast<float>(twiceU * (1 + 5 * thereAndBack));
+            static_cast<float>(u * ((48 + 16 * thereAndBack) * norm * extent + translation + backTranslation));
+        instance.errorPerUnit = static_cast<float>(u * (2 + 10 * thereAndBack));
     }
 
     // Gives the newest instance its material, and checks that single precision can hold it.
@@ -163,6 +183,7 @@ private:
         instance.material = entry->second;
     }
 
+    const ObjectCounts& objects_;
     Scene scene_;
     std::vector<Visit> open_;
     std::unordered_map<const NamedMaterial*, std::uint32_t> materialIndex_;
@@ -175,8 +196,9 @@ Scene compile(const Database& database, std::string_view path, std::span<const s
     const Node& top = database.find(path);
     std::vector<PointLight> pointLights;
     for (const std::string& name : lights) pointLights.push_back(database.pointLight(name));
-    checkMemory(top);
-    Scene scene = Compiler{}.compile(top);
+    const ObjectCounts objects = countObjects(top);
+    checkMemory(top, objects.at(&top));
+    Scene scene = Compiler(objects).compile(top);
     scene.pointLights = std::move(pointLights);
     return scene;
 }

@@ -57,7 +57,10 @@ Node& Database::get(std::string_view path) {
     return const_cast<Node&>(find(path));
 }
 
-void Database::throwUnknownNode(std::string_view path) const {
+void Database::throwUnknownNode(std::string_view given) const {
+    // A path ends at its last word.
+    std::string_view path = given;
+    while (path.size() > 1 && path.ends_with(':')) path.remove_suffix(1);
     // Follow the path as far as it leads; what is meant is likely a sibling of the first word that is wrong.
     const Node* parent = &root_;
     std::size_t start = !path.empty() && path[0] == ':' ? 1 : 0;
@@ -78,11 +81,9 @@ void Database::throwUnknownNode(std::string_view path) const {
     const bool isThere = std::find(siblings.begin(), siblings.end(), word) != siblings.end();
     const std::string_view meant = isThere ? word : std::string_view(near);
     if (!meant.empty()) suggestion = child(*parent, meant)->path() + std::string(rest);
-    // A path ends at its last word, and it exists when it is suggested whole.
-    if (suggestion.ends_with(':')) suggestion.pop_back();
-    std::string message = "no such node \"" + std::string(path) + "\"";
+    std::string message = "no such node \"" + std::string(given) + "\"";
     if (!suggestion.empty()) message += " (did you mean \"" + suggestion + "\"?)";
-    throw core::Error("NODE", "UNKNOWN", std::string(path), message);
+    throw core::Error("NODE", "UNKNOWN", std::string(given), message);
 }
 
 void Database::checkNew(std::string_view parentPath, std::string_view name) const {
@@ -205,20 +206,28 @@ const PointLight& Database::pointLight(std::string_view name) const {
     return found->second;
 }
 
+void Database::checkNotInstanced(const Node& node, const std::unordered_set<const Node*>& except) const {
+    const auto instances = instancesOf_.find(&node);
+    if (instances == instancesOf_.end()) return;
+    // Of several users the first in the alphabet is named: a hash of addresses has no order that stays.
+    std::string user;
+    for (const Node* instance : instances->second) {
+        if (except.contains(instance)) continue;
+        const std::string candidate = instance->path();
+        if (user.empty() || candidate < user) user = candidate;
+    }
+    if (!user.empty())
+        throw core::Error("NODE", "INSTANCED", node.path(),
+                          "\"" + node.path() + "\" is used by the instance \"" + user + "\"");
+}
+
 void Database::remove(std::string_view path) {
     Node& top = get(path);
     if (&top == &root_)
         throw core::Error("NODE", "ROOT", ":", "the root \":\" cannot be deleted; gr_reset deletes everything");
     std::unordered_set<const Node*> doomed;
     for (const Node* node = &top; node != nullptr; node = nextInSubtree(node, &top)) doomed.insert(node);
-    for (const Node* node : doomed) {
-        const auto instances = instancesOf_.find(node);
-        if (instances == instancesOf_.end()) continue;
-        for (const Node* instance : instances->second)
-            if (!doomed.contains(instance))
-                throw core::Error("NODE", "INSTANCED", node->path(),
-                                  "\"" + node->path() + "\" is used by the instance \"" + instance->path() + "\"");
-    }
+    for (const Node* node = &top; node != nullptr; node = nextInSubtree(node, &top)) checkNotInstanced(*node, doomed);
     (top.previous != nullptr ? top.previous->next : top.parent->firstChild) = top.next;
     (top.next != nullptr ? top.next->previous : top.parent->lastChild) = top.previous;
     for (const Node* node : doomed) erase(*node);

@@ -73,17 +73,29 @@ bool Polyhedron::occluded(const PackRay& ray) const {
     return isMet;
 }
 
-ShapePoint Polyhedron::surfaceAt(const Hit& hit) const {
+namespace {
+
+float lengthSquared(const core::Vec3f& v) {
+    return glm::dot(v, v);
+}
+
+}  // namespace
+
+ShapePoint Polyhedron::surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const {
     const core::Vec3f a = vertex(hit.triangle, 0);
     const core::Vec3f b = vertex(hit.triangle, 1);
     const core::Vec3f c = vertex(hit.triangle, 2);
-    // Rounding may put a hit beyond an edge; a little inside, a ray that goes on does not start outside the mesh.
-    constexpr float margin = 16 * 0x1p-23f;
-    const float b1 = std::max(hit.b1, margin);
-    const float b2 = std::max(hit.b2, margin);
-    const float b0 = std::max(1 - hit.b1 - hit.b2, margin);
+    const core::Vec3f normal = glm::cross(b - a, c - a);
+    // A vertex's weight is the distance from the edge opposite over the height above it; the smallest height stands on
+    // the longest edge. To be clear of the face beyond an edge takes 1 / sin(angle) times the margin where they meet at
+    // an acute angle: 4 is enough for 15 degrees.
+    const float longest = std::max({lengthSquared(b - a), lengthSquared(c - b), lengthSquared(a - c)});
+    const float least = core::min(4 * std::sqrt(lengthSquared(margin) * longest / lengthSquared(normal)), 0.25f);
+    const float b0 = std::max(1 - hit.b1 - hit.b2, least);
+    const float b1 = std::max(hit.b1, least);
+    const float b2 = std::max(hit.b2, least);
     const core::Vec3f position = (a * b0 + b * b1 + c * b2) / (b0 + b1 + b2);
-    return {position, glm::cross(b - a, c - a)};
+    return {position, normal, glm::dot(ray.direction, normal) < 0};
 }
 
 }  // namespace gr

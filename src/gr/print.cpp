@@ -31,7 +31,10 @@ std::string matrixText(const glm::dmat4& m) {
     std::string text;
     for (int row = 0; row < 3; ++row) {
         text += row == 0 ? "{" : " {";
-        for (int column = 0; column < 4; ++column) text += (column == 0 ? "" : " ") + core::numberText(m[column][row]);
+        for (int column = 0; column < 4; ++column) {
+            if (column > 0) text += " ";
+            text += core::numberText(m[column][row] + 0);  // -0 becomes 0
+        }
         text += "}";
     }
     return text;

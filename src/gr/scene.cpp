@@ -7,23 +7,51 @@ core::Vec3f SurfacePoint::offsetFrom(const core::Vec3f& position, const core::Ve
     return position + side * (error * (std::abs(side.x) + std::abs(side.y) + std::abs(side.z)));
 }
 
+namespace {
+
+// A ray that comes along the surface must see the normal from the side that it came from, or it would go on from the
+// other one: where rounding says otherwise, the normal is bent by as much.
+core::Vec3f facing(const core::Vec3f& normal, const core::Vec3f& direction, bool front) {
+    const float cosine = glm::dot(direction, normal);
+    if ((cosine < 0) == front) return normal;
+    constexpr float beyondRounding = 0x1p-20f;
+    const float length = glm::length(direction);
+    const float wanted = front ? -beyondRounding : beyondRounding;
+    return glm::normalize(normal + direction * ((wanted - cosine / length) / length));
+}
+
+}  // namespace
+
 SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     const Instance& instance = instances[hit.instance];
+    SurfacePoint surface;
+    surface.error = instance.error + instance.errorPerUnit * core::largestComponent(ray.origin + ray.direction * hit.t);
+
+    // No coordinate of the step off the surface is larger than (1 + sqrt(3)) / 2 times the error, and rounding adds the
+    // error once more: 2.4 in all, along each of the world's axes, and so on to the object's.
+    const core::Transform& map = instance.objectFromWorld;
+    const core::Vec3f margin = (glm::abs(map.x) + glm::abs(map.y) + glm::abs(map.z)) * (2.4f * surface.error);
+    const core::Rayf objectRay = instance.toObject(ray);
     const auto inObjectSpace = [&](const auto& shape) {
         if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, const Polyhedron*>)
-            return shape->surfaceAt(hit);
+            return shape->surfaceAt(objectRay, hit, margin);
         else
-            return shape.surfaceAt(instance.toObject(ray), hit);
+            return shape.surfaceAt(objectRay, hit, margin);
     };
     const ShapePoint point = std::visit(inObjectSpace, instance.shape);
 
-    SurfacePoint surface;
     surface.position = instance.worldFromObject.point(point.position);
-    surface.normal = glm::normalize(instance.objectFromWorld.transposed(point.normal));
-    surface.error = instance.error + instance.errorPerUnit * core::largestComponent(surface.position);
+    surface.normal = facing(glm::normalize(map.transposed(point.normal)), ray.direction, point.front);
     surface.material = &materials[instance.material];
     surface.light = instance.light == Instance::notALight ? nullptr : &areaLights[instance.light];
     return surface;
+}
+
+core::Rayf Scene::shadowRay(const core::Vec3f& start, const AreaLight& light, const core::Vec3f& target) const {
+    // The end is rounded by how far away the ray starts, too.
+    const float error = light.error + instances[light.instance].errorPerUnit * core::largestComponent(start);
+    const core::Vec3f end = SurfacePoint::offsetFrom(target, light.normal, error);
+    return {start, end - start, 1.f};
 }
 
 std::size_t Scene::bytes() const {

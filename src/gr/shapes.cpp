@@ -2,28 +2,26 @@
 
 namespace gr {
 
-ShapePoint Box::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
+ShapePoint Box::surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const {
+    bool outside = false;
+    for (int i = 0; i < 3; ++i) outside |= ray.origin[i] < 0 || ray.origin[i] > 1;
+    // The face is the nearest of those that a ray from there can meet: never one that looks the other way, however
+    // near the edge to it.
     core::Vec3f p = ray.origin + ray.direction * hit.t;
-
-    // The face is the one whose plane is nearest; the hit lies in it exactly.
+    core::Vec3f plane;
     int axis = 0;
-    float nearest = core::infinity;
     for (int i = 0; i < 3; ++i) {
-        const float distance = std::min(std::abs(p[i]), std::abs(1 - p[i]));
-        if (distance < nearest) {
-            nearest = distance;
-            axis = i;
-        }
+        plane[i] = (ray.direction[i] > 0) != outside ? 1.f : 0.f;
+        if (std::abs(p[i] - plane[i]) < std::abs(p[axis] - plane[axis])) axis = i;
     }
-    // Rounding may put a hit beyond an edge. It is put back inside by what the way to the world and back can move it,
-    // so that a ray that goes on from inside the box does not start outside.
-    constexpr float margin = 16 * 0x1p-23f;
-    for (int i = 0; i < 3; ++i) p[i] = std::min(std::max(p[i], margin), 1 - margin);
-    const bool upper = (ray.origin + ray.direction * hit.t)[axis] > 0.5f;
-    p[axis] = upper ? 1.f : 0.f;
+    for (int i = 0; i < 3; ++i) {
+        const float least = core::min(margin[i], 0.5f);
+        p[i] = core::min(core::max(p[i], least), 1 - least);
+    }
+    p[axis] = plane[axis];
     core::Vec3f normal(0);
-    normal[axis] = upper ? 1.f : -1.f;
-    return {p, normal};
+    normal[axis] = 2 * plane[axis] - 1;
+    return {p, normal, outside};
 }
 
 }  // namespace gr

@@ -6,8 +6,9 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 
 namespace render {
 namespace fs = std::filesystem;
@@ -20,11 +21,24 @@ std::uint8_t toSrgb8(float radiance) {
 
 namespace {
 
-// The file that a path means: links are followed, so that the link stays and what it names is replaced.
+[[noreturn]] void fail(const std::string& path, const std::string& why) {
+    throw core::Error("FILE", "WRITE", path, "cannot write \"" + path + "\": " + why);
+}
+
+// The file that a path means: links are followed, also to what is not there yet, so that the link stays and what it
+// names is written.
 fs::path resolve(const std::string& path) {
+    constexpr int mostLinks = 40;  // as Linux has it
+    fs::path target(path);
     std::error_code failed;
-    const fs::path resolved = fs::weakly_canonical(path, failed);
-    return failed ? fs::path(path) : resolved;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, failed)); ++links) {
+        if (links == mostLinks) fail(path, std::make_error_code(std::errc::too_many_symbolic_link_levels).message());
+        target = target.parent_path() / fs::read_symlink(target, failed);
+    }
+    const fs::file_status status = fs::status(target, failed);
+    if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it is not a file");
+    if (failed && status.type() != fs::file_type::not_found) fail(path, failed.message());
+    return target;
 }
 
 // libpng reports errors by a function that must not return. It throws; libpng's own frames hold nothing to clean up
@@ -34,12 +48,19 @@ fs::path resolve(const std::string& path) {
 }
 void pngWarning(png_structp, png_const_charp) {}
 
+// libpng's own writing does not say why it failed.
+void pngWrite(png_structp png, png_bytep bytes, std::size_t size) {
+    std::FILE* file = static_cast<std::FILE*>(png_get_io_ptr(png));
+    if (std::fwrite(bytes, 1, size, file) != size) throw core::Error("FILE", "WRITE", "", std::strerror(errno));
+}
+void pngFlush(png_structp) {}
+
 class PngWriter {
 public:
     explicit PngWriter(std::FILE* file)
         : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, pngError, pngWarning)) {
         info_ = png_create_info_struct(png_);
-        png_init_io(png_, file);
+        png_set_write_fn(png_, file, pngWrite, pngFlush);
     }
     ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
     PngWriter(const PngWriter&) = delete;
@@ -91,9 +112,6 @@ ImageFile::ImageFile(const std::string& path) : path_(path), target_(resolve(pat
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending != ".png")
         throw core::Error("FILE", "ENDING", path, "cannot write \"" + path + "\": the file's ending must be .png");
-    std::error_code failed;
-    if (fs::exists(target_, failed) && !fs::is_regular_file(target_, failed))
-        throw core::Error("FILE", "WRITE", path, "cannot write \"" + path + "\": it is not a file");
     // The one sure way to know whether a file can be made in a folder, for every user and every file system.
     TemporaryFile probe(target_, path);
 }
@@ -103,7 +121,7 @@ void ImageFile::write(const Film& film, double exposure, const Metadata& metadat
     try {
         PngWriter(file.stream()).write(film, exposure, metadata);
     } catch (const core::Error& error) {
-        throw core::Error(error.topic, error.reason, path_, "cannot write \"" + path_ + "\": " + error.what());
+        fail(path_, error.what());
     }
     file.publish();
 }

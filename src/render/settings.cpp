@@ -59,7 +59,7 @@ constexpr std::array<core::OptionRow<S>, 14> rows{{
      .help = "another seed gives other noise, the same one the same picture"},
     {.name = "background",
      .member = &S::background,
-     .range = core::notNegative,
+     .range = {.least = 0, .most = 1e18},
      .unit = "radiance",
      .help = "light of a ray that leaves the scene"},
     {.name = "exposure",

@@ -1,0 +1,63 @@
+// The commands that the shell adds to Tcl: rows of tables, one table a topic.
+#pragma once
+
+#include "gr/database.h"
+#include "grsh/words.h"
+
+#include <tcl.h>
+
+#include <span>
+#include <string>
+
+namespace grsh {
+
+// What belongs to one interpreter.
+struct Session {
+    gr::Database database;
+};
+
+// One call of a command.
+struct Call {
+    Tcl_Interp* interp;
+    Session& session;
+    Words words;
+};
+
+// To add a command: write its function and a row in the file of its topic. Word counts, usage errors, gr_help and
+// docs/language.md come from the row.
+struct Command {
+    std::string_view name;
+    std::string_view alias;  // an older name, or empty
+    std::string_view usage;  // the words behind the name
+    std::size_t leastWords;
+    std::size_t mostWords;
+    // Returns the command's result, or null for none. Throws core::Error, without the command's name.
+    Tcl_Obj* (*function)(Call& call);
+    std::string_view help;
+};
+
+inline constexpr std::size_t anyNumberOfWords = ~std::size_t{0};
+
+std::span<const Command> nodeCommands();
+std::span<const Command> materialCommands();
+std::span<const Command> lightCommands();
+std::span<const Command> renderCommands();
+std::span<const Command> helpCommands();
+// All of them, in the order in which help lists them.
+std::vector<const Command*> allCommands();
+
+// The options that a command takes, as text for gr_help; empty for a command without any.
+std::string materialOptionsHelp();
+std::string renderOptionsHelp();
+
+// Creates the commands, and a session that lives as long as the interpreter.
+void registerCommands(Tcl_Interp* interp);
+
+inline Tcl_Obj* textObject(std::string_view text) {
+    return Tcl_NewStringObj(text.data(), static_cast<int>(text.size()));
+}
+
+// "wrong # args", for word counts that lie between a row's least and most but are none of the command's.
+[[noreturn]] void throwWrongWords();
+
+}  // namespace grsh

@@ -1,0 +1,110 @@
+// Options in a command's words, read by their rows.
+#pragma once
+
+#include "grsh/words.h"
+
+#include <optional>
+
+namespace grsh {
+
+// The option's name without its leading dash, which may be written or not.
+inline std::string_view withoutDash(std::string_view word) {
+    if (word.starts_with('-')) word.remove_prefix(1);
+    return word;
+}
+
+template<class Owner>
+const core::OptionRow<Owner>* findOption(std::span<const core::OptionRow<Owner>> rows, std::string_view word) {
+    const std::string_view name = withoutDash(word);
+    for (const auto& row : rows)
+        if (!name.empty() && (name == row.name || name == row.alias)) return &row;
+    return nullptr;
+}
+
+// One reader for each type that an option can have; `what` is the option's name.
+inline void readOption(bool& value, Tcl_Obj* word, std::string_view what, const core::Range&,
+                       std::span<const core::Word>) {
+    // Tcl takes every number for on or off; one that is neither 1 nor 0 was meant for another option.
+    double number = 0;
+    const bool isNumber = Tcl_GetDoubleFromObj(nullptr, word, &number) == TCL_OK;
+    int flag = 0;
+    if ((isNumber && number != 0 && number != 1) || Tcl_GetBooleanFromObj(nullptr, word, &flag) != TCL_OK)
+        throwBadValue(what, "on or off", word);
+    value = flag != 0;
+}
+inline void readOption(int& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    value = integerFrom(word, what, range);
+}
+inline void readOption(std::optional<int>& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    value = integerFrom(word, what, range);
+}
+inline void readOption(std::uint64_t& value, Tcl_Obj* word, std::string_view what, const core::Range&,
+                       std::span<const core::Word>) {
+    Tcl_WideInt number = 0;
+    if (Tcl_GetWideIntFromObj(nullptr, word, &number) != TCL_OK || number < 0)
+        throwBadValue(what, "an integer from 0 to 9223372036854775807", word);
+    value = static_cast<std::uint64_t>(number);
+}
+inline void readOption(double& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    value = numberFrom(word, what, range);
+}
+inline void readOption(core::Rgbf& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    value = core::Rgbf(vectorFrom(word, what, range));
+}
+inline void readOption(core::Word& value, Tcl_Obj* word, std::string_view what, const core::Range&,
+                       std::span<const core::Word> words) {
+    const auto found = std::find(words.begin(), words.end(), textOf(word));
+    if (found == words.end())
+        throw core::Error("VALUE", "WORD", std::string(textOf(word)),
+                          std::string(what) + " must be " + core::listed(words) + ", not " + quoted(textOf(word)) +
+                              core::didYouMean(textOf(word), words));
+    value = *found;
+}
+
+// Reads the pairs of option and value from word `first` on into owner. noOption: what a message says before the name of
+// an option that there is not, e.g. "a diffuse material has no option".
+template<class Owner>
+void readOptions(const Words& words, std::size_t first, std::string_view noOption, Owner& owner) {
+    const std::span<const core::OptionRow<Owner>> rows = Owner::options();
+    std::vector<std::string_view> names;
+    for (const auto& row : rows) names.push_back(row.name);
+    std::vector<std::string_view> given;
+    for (std::size_t i = first; i < words.size(); i += 2) {
+        const std::string word(words.text(i));
+        const auto* row = findOption(rows, word);
+        if (row == nullptr)
+            throw core::Error("OPTION", "UNKNOWN", word,
+                              std::string(noOption) + " " + quoted(word) + core::didYouMean(withoutDash(word), names) +
+                                  ": must be " + core::listed(names));
+        if (std::find(given.begin(), given.end(), row->name) != given.end())
+            throw core::Error("OPTION", "TWICE", word, "option \"" + word + "\" is given twice");
+        if (i + 1 == words.size()) throw core::Error("OPTION", "VALUE", word, "option \"" + word + "\" needs a value");
+        given.push_back(row->name);
+        const auto read = [&](auto member) {
+            readOption(owner.*member, words.object(i + 1), row->name, row->range, row->words);
+        };
+        std::visit(read, row->member);
+    }
+}
+
+// The rows as lines of help: name, type, range, unit, default, meaning.
+template<class Owner>
+std::string optionsHelp(std::span<const core::OptionRow<Owner>> rows) {
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line = "  " + std::string(row.name);
+        line.resize(std::max<std::size_t>(line.size() + 1, 25), ' ');
+        line += core::typeText(row);
+        if (const std::string range = core::rangeText(row.range); !range.empty()) line += " " + range;
+        if (!row.unit.empty()) line += ", " + std::string(row.unit);
+        line += " (default " + core::defaultText(row) + ")";
+        text += line + "\n      " + std::string(row.help) + "\n";
+    }
+    return text;
+}
+
+}  // namespace grsh

@@ -1,0 +1,32 @@
+// Tcl's values, held so that their references are counted.
+#pragma once
+
+#include <tcl.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace grsh {
+
+struct ReleaseValue {
+    void operator()(Tcl_Obj* value) const { Tcl_DecrRefCount(value); }
+};
+using Value = std::unique_ptr<Tcl_Obj, ReleaseValue>;
+
+inline Value hold(Tcl_Obj* value) {
+    Tcl_IncrRefCount(value);
+    return Value(value);
+}
+
+inline Value textValue(std::string_view text) {
+    return hold(Tcl_NewStringObj(text.data(), static_cast<int>(text.size())));
+}
+
+inline std::string stringOf(Tcl_Obj* value) {
+    int length = 0;
+    const char* bytes = Tcl_GetStringFromObj(value, &length);
+    return {bytes, static_cast<std::size_t>(length)};
+}
+
+}  // namespace grsh

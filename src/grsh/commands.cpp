@@ -1,0 +1,117 @@
+#include "grsh/commands.h"
+
+#include <new>
+
+namespace grsh {
+namespace {
+
+struct WrongWords {};
+
+// A command under one of its names, in one interpreter.
+struct Binding {
+    const Command* command;
+    std::string_view name;
+    Session* session;
+};
+
+struct State {
+    Session session;
+    std::vector<std::unique_ptr<Binding>> bindings;
+    Tcl_Obj* tclUnknown = nullptr;  // where Tcl's own `unknown` has gone
+};
+
+constexpr const char* stateKey = "grsh";
+
+int wrongWords(Tcl_Interp* interp, const Binding& binding) {
+    std::string message = "wrong # args: should be \"" + std::string(binding.name);
+    if (!binding.command->usage.empty()) message += " " + std::string(binding.command->usage);
+    Tcl_SetObjResult(interp, textObject(message + "\""));
+    Tcl_SetErrorCode(interp, "TCL", "WRONGARGS", nullptr);
+    return TCL_ERROR;
+}
+
+int failed(Tcl_Interp* interp, std::string_view command, const core::Error& error) {
+    Tcl_SetObjResult(interp, textObject(std::string(command) + ": " + error.what()));
+    Tcl_SetErrorCode(interp, "GR", error.topic.c_str(), error.reason.c_str(), error.word.c_str(), nullptr);
+    return TCL_ERROR;
+}
+
+// The one place where errors of ours become Tcl's; no exception leaves it.
+int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+    const Binding& binding = *static_cast<const Binding*>(data);
+    const std::size_t words = static_cast<std::size_t>(objc) - 1;
+    if (words < binding.command->leastWords || words > binding.command->mostWords) return wrongWords(interp, binding);
+    try {
+        Call call{interp, *binding.session, Words(objc, objv)};
+        Tcl_Obj* result = binding.command->function(call);
+        if (result != nullptr) Tcl_SetObjResult(interp, result);
+        return TCL_OK;
+    } catch (const WrongWords&) {
+        return wrongWords(interp, binding);
+    } catch (const core::Error& error) {
+        return failed(interp, binding.name, error);
+    } catch (const std::bad_alloc&) {
+        return failed(interp, binding.name, core::Error("MEMORY", "NONE", "", "out of memory"));
+    } catch (const std::exception& error) {
+        return failed(interp, binding.name, core::Error("INTERNAL", "EXCEPTION", "", error.what()));
+    }
+}
+
+// Tcl calls `unknown` for a command that does not exist. One of ours that is misspelt gets a suggestion; the rest is
+// Tcl's business.
+int unknownCommand(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+    const State& state = *static_cast<const State*>(data);
+    const std::string_view name = objc > 1 ? textOf(objv[1]) : std::string_view{};
+    if (!name.starts_with("gr_")) {
+        std::vector<Tcl_Obj*> words(objv, objv + objc);
+        words[0] = state.tclUnknown;
+        return Tcl_EvalObjv(interp, objc, words.data(), 0);
+    }
+    std::vector<std::string_view> names;
+    for (const auto& binding : state.bindings) names.push_back(binding->name);
+    const std::string message = "invalid command name \"" + std::string(name) + "\"" + core::didYouMean(name, names);
+    Tcl_SetObjResult(interp, textObject(message));
+    Tcl_SetErrorCode(interp, "TCL", "LOOKUP", "COMMAND", std::string(name).c_str(), nullptr);
+    return TCL_ERROR;
+}
+
+void wrapUnknown(Tcl_Interp* interp, State& state) {
+    state.tclUnknown = Tcl_NewStringObj("::tcl::unknown", -1);
+    Tcl_IncrRefCount(state.tclUnknown);
+    if (Tcl_Eval(interp, "rename ::unknown ::tcl::unknown") != TCL_OK) return;
+    Tcl_CreateObjCommand(interp, "::unknown", unknownCommand, &state, nullptr);
+}
+
+void deleteState(ClientData data, Tcl_Interp*) {
+    State* state = static_cast<State*>(data);
+    if (state->tclUnknown != nullptr) Tcl_DecrRefCount(state->tclUnknown);
+    delete state;
+}
+
+}  // namespace
+
+void throwWrongWords() {
+    throw WrongWords{};
+}
+
+std::vector<const Command*> allCommands() {
+    std::vector<const Command*> commands;
+    for (const auto table : {nodeCommands(), materialCommands(), lightCommands(), renderCommands(), helpCommands()})
+        for (const Command& command : table) commands.push_back(&command);
+    return commands;
+}
+
+void registerCommands(Tcl_Interp* interp) {
+    State* state = new State;
+    Tcl_SetAssocData(interp, stateKey, deleteState, state);
+    for (const Command* command : allCommands()) {
+        for (const std::string_view name : {command->name, command->alias}) {
+            if (name.empty()) continue;
+            state->bindings.push_back(std::make_unique<Binding>(Binding{command, name, &state->session}));
+            Tcl_CreateObjCommand(interp, std::string(name).c_str(), run, state->bindings.back().get(), nullptr);
+        }
+    }
+    wrapUnknown(interp, *state);
+}
+
+}  // namespace grsh

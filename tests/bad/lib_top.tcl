@@ -1,0 +1,3 @@
+# A library for line_source_top.gr.
+gr_material clay diffuse
+gr_material clay diffuse

@@ -1,0 +1,70 @@
+#include "core/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/test_random.h"
+
+namespace core {
+namespace {
+
+// Everywhere, close to the axes on both sides, and on them; the z axes, where a frame may degenerate, with both zeros.
+std::vector<Vec3f> normals() {
+    std::vector<Vec3f> normals{{0, 0, 1},  {0, 0, -1},   {-0.f, -0.f, -1}, {1, 0, 0},       {-1, 0, 0},    {0, 1, 0},
+                               {0, -1, 0}, {1, 0, -0.f}, {0, 1, -0.f},     {1, 0, -1e-40f}, {0, 1, 1e-40f}};
+    support::TestRandom random(2);
+    for (int i = 0; i < 100'000; ++i) {
+        // Each component is shrunk on its own, many of them very much.
+        glm::dvec3 v;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double coordinate = 2 * random.next() - 1;
+            const bool small = random.next() < 0.5;
+            const double exponent = -12 * random.next();
+            v[axis] = coordinate * (small ? std::pow(10, exponent) : 1);
+        }
+        normals.emplace_back(glm::normalize(v));
+    }
+    return normals;
+}
+
+// The frame's own rounding and that of the normal's length.
+constexpr double rounding = 1e-6;
+
+TEST(Frame, IsOrthonormalAndRightHanded) {
+    for (const Vec3f& normal : normals()) {
+        const Frame<float> frame(normal);
+        ASSERT_EQ(frame.z, normal);
+        const glm::dvec3 x(frame.x), y(frame.y), z(frame.z);
+        const double worst =
+            std::max({std::abs(glm::dot(x, x) - 1), std::abs(glm::dot(y, y) - 1), std::abs(glm::dot(x, y)),
+                      std::abs(glm::dot(x, z)), std::abs(glm::dot(y, z)), glm::length(glm::cross(x, y) - z)});
+        ASSERT_LT(worst, rounding) << normal.x << " " << normal.y << " " << normal.z;
+    }
+}
+
+TEST(Frame, TakesTheNormalToZ) {
+    for (const Vec3f& normal : normals()) {
+        const Frame<float> frame(normal);
+        ASSERT_LT(glm::length(frame.toLocal(normal) - Vec3f(0, 0, 1)), rounding);
+        ASSERT_EQ(frame.toWorld(Vec3f(0, 0, 1)), normal);
+    }
+}
+
+TEST(Frame, GoesThereAndBack) {
+    support::TestRandom random(3);
+    const auto coordinate = [&random] { return 2 * random.next() - 1; };
+    for (const Vec3f& normal : normals()) {
+        const Frame<float> frame(normal);
+        const double x = coordinate(), y = coordinate(), z = coordinate();
+        const Vec3f v(x, y, z);
+        ASSERT_LT(glm::length(frame.toWorld(frame.toLocal(v)) - v), 2 * rounding);
+        ASSERT_LT(glm::length(frame.toLocal(frame.toWorld(v)) - v), 2 * rounding);
+        // World coordinates are measured along the axes.
+        ASSERT_NEAR(frame.toLocal(v).x, glm::dot(glm::dvec3(v), glm::dvec3(frame.x)), rounding);
+        ASSERT_NEAR(frame.toLocal(v).y, glm::dot(glm::dvec3(v), glm::dvec3(frame.y)), rounding);
+    }
+}
+
+}  // namespace
+}  // namespace core

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "gr/light.h"
+#include "lanes/both_widths.h"
+
+namespace lanes {
+namespace {
+
+constexpr int count = 50'000;
+
+template<class Real>
+std::array<Real, 10> numbersOf(const gr::LightSample<Real>& sample) {
+    return {sample.target.x, sample.target.y, sample.target.z, sample.wi.x,     sample.wi.y,
+            sample.wi.z,     sample.weight.x, sample.weight.y, sample.weight.z, sample.pdfW};
+}
+
+gr::AreaLight areaLight(const core::Vec3f& corner, const core::Vec3f& edge1, const core::Vec3f& edge2) {
+    const core::Vec3f normal = glm::cross(edge1, edge2);
+    const float area = glm::length(normal);
+    return {.corner = corner,
+            .edge1 = edge1,
+            .edge2 = edge2,
+            .normal = normal / area,
+            .radiance = {17, 0.5f, 0},
+            .area = area,
+            .error = 0};
+}
+
+// From in front, from behind, in the plane of the light, and on it.
+TEST(LanesAreaLight, GivesTheSameLight) {
+    const gr::AreaLight lights[] = {areaLight({-0.5f, 1, -0.5f}, {1, 0, 0}, {0, 0, 1}),
+                                    areaLight({0.1f, -0.3f, 2}, {0.7f, 0.2f, -0.1f}, {-0.3f, 1.1f, 0.4f})};
+    for (const gr::AreaLight& light : lights) {
+        Inputs inputs(12);
+        const auto points = makeInputs<5>(count, [&] {
+            const float u = inputs.unit(), v = inputs.unit();
+            core::Vec3f from = inputs.point(3);
+            if (inputs.chance(0.1)) from = light.corner + light.edge1 * u + light.edge2 * v;
+            if (inputs.chance(0.1)) from = light.corner + light.edge1 * from.x + light.edge2 * from.y;
+            return Numbers<5>{from.x, from.y, from.z, u, v};
+        });
+        const auto samples = expectSame(points, [&]<class Real>(const std::array<Real, 5>& x) {
+            return numbersOf(light.sample(vectorAt(x.data()), core::Vec2<Real>(x[3], x[4])));
+        });
+        const auto lit = std::count_if(samples.begin(), samples.end(), [](const auto& s) { return s[9] > 0; });
+        EXPECT_GT(lit, count / 10);
+        EXPECT_LT(lit, count * 9 / 10);
+    }
+}
+
+TEST(LanesPointLight, GivesTheSameLight) {
+    const gr::PointLight lights[] = {{{0, 0, 0}, {1, 2, 3}, {1, 0, 0}}, {{0.1f, 2, -1}, {0.3f, 0, 5}, {0, 0.2f, 0.7f}}};
+    for (const gr::PointLight& light : lights) {
+        Inputs inputs(13);
+        const auto points = makeInputs<3>(count, [&] {
+            const core::Vec3f from = inputs.chance(0.05) ? light.position : inputs.point(5);
+            return Numbers<3>{from.x, from.y, from.z};
+        });
+        const auto samples = expectSame(points, [&]<class Real>(const std::array<Real, 3>& x) {
+            return numbersOf(light.sample(vectorAt(x.data())));
+        });
+        const auto dark = std::count_if(samples.begin(), samples.end(), [](const auto& s) { return s[8] == 0; });
+        EXPECT_GT(dark, 0);
+        EXPECT_LT(dark, count / 10);
+    }
+}
+
+}  // namespace
+}  // namespace lanes

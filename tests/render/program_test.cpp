@@ -1,0 +1,155 @@
+// Pictures that separate runs of grsh make: the same to the byte, and they say what made them.
+#include "render/grsh_process.h"
+#include "render/png_reader.h"
+#include "render/settings.h"
+#include "render/temporary_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace render {
+namespace {
+
+using testing::Contains;
+using testing::Key;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::Pair;
+
+// Everything that draws random numbers; what follows the file's name are render options.
+constexpr const char* script = R"(
+gr_material brown diffuse diffuse {0.8 0.6 0.4}
+gr_box : room {-2 -2 -2} {4 4 12}
+gr_surfaceproperty :room brown
+gr_sphere : ball {0.5 -1 0} 0.9
+gr_als_planar : lamp {9 8 7} {0 1.9 0} 1.5
+gr_light bulb {1 1 4} {0.5 0.5 1} {0 0 1}
+gr_light spare {0 0 0} {1 1 1} {1 0 0}
+gr_render : [lindex $argv 0] 30 20 {0 0 6} {0 0.25 -2} {0 1 0} 50 {0.1 0.2 0.3} {bulb} \
+    globalillumination on pathlength 3 antialiasing on samplesperlightsource 2 {*}[lrange $argv 1 end] progress off
+)";
+
+class Program : public testing::Test {
+protected:
+    Program() { writeText(folder / "scene.gr", script); }
+
+    std::unique_ptr<GrshProcess> start(std::vector<std::string> words) const {
+        words.insert(words.begin(), "scene.gr");
+        return std::make_unique<GrshProcess>(folder.path(), words);
+    }
+    void run(const std::vector<std::string>& words) const { ASSERT_EQ(start(words)->exitCode(), 0); }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Program, MakesStripsThatAreTheWhole) {
+    run({"whole.png"});
+    auto top = start({"top.png", "stopline", "6"});
+    auto line = start({"line.png", "startline", "7", "stopline", "7"});
+    auto rest = start({"rest.png", "startline", "8"});
+    for (const auto& process : {&top, &line, &rest}) ASSERT_EQ((*process)->exitCode(), 0);
+
+    std::vector<std::vector<png_byte>> lines;
+    for (const char* name : {"top.png", "line.png", "rest.png"}) {
+        const Png strip(folder / name);
+        EXPECT_EQ(strip.offset, std::pair(0, static_cast<int>(lines.size()))) << name;
+        EXPECT_EQ(strip.texts.at("grsh:startline"), std::to_string(lines.size()));
+        EXPECT_EQ(strip.texts.at("grsh:height"), "20");
+        lines.insert(lines.end(), strip.lines.begin(), strip.lines.end());
+    }
+    const Png whole(folder / "whole.png");
+    EXPECT_EQ(whole.lines, lines);
+    EXPECT_EQ(whole.offset, std::nullopt);
+    EXPECT_THAT(whole.lines, Contains(Not(whole.lines[0])).Times(testing::Gt(15))) << "a picture of something";
+}
+
+TEST_F(Program, MakesTheSameFileTwice) {
+    run({"first.png"});
+    run({"second.png"});
+    run({"one-thread.png", "threads", "1"});
+    run({"many-threads.png", "threads", "5"});
+    const std::string bytes = bytesOf(folder / "first.png");
+    EXPECT_FALSE(bytes.empty());
+    for (const char* name : {"second.png", "one-thread.png", "many-threads.png"})
+        EXPECT_TRUE(bytesOf(folder / name) == bytes) << name;
+    run({"other-seed.png", "seed", "1"});
+    EXPECT_NE(Png(folder / "other-seed.png").lines, Png(folder / "first.png").lines);
+}
+
+TEST_F(Program, SaysInThePictureWhatMadeIt) {
+    run({"a.png", "seed", "9223372036854775807", "samplesperpixel", "3", "exposure", "-0.5", "background",
+         "0 0.25 1e-6", "threads", "2", "stopline", "12"});
+    std::map<std::string, std::string> texts = Png(folder / "a.png").texts;
+    EXPECT_THAT(texts["Software"], MatchesRegex("grsh [0-9]+[.][0-9]+[.][0-9]+"));
+    texts.erase("Software");
+    EXPECT_THAT(texts, testing::UnorderedElementsAre(
+                           Pair("Scene", "scene.gr"), Pair("grsh:node", ":"), Pair("grsh:width", "30"),
+                           Pair("grsh:height", "20"), Pair("grsh:eye", "0 0 6"), Pair("grsh:view", "0 0.25 -2"),
+                           Pair("grsh:up", "0 1 0"), Pair("grsh:fov", "50"), Pair("grsh:ambient", "0.1 0.2 0.3"),
+                           Pair("grsh:lights", "bulb"), Pair("grsh:accelerator", "off"),
+                           Pair("grsh:globalillumination", "on"), Pair("grsh:antialiasing", "on"),
+                           Pair("grsh:pathlength", "3"), Pair("grsh:startline", "0"), Pair("grsh:stopline", "12"),
+                           Pair("grsh:samplesperpixel", "3"), Pair("grsh:samplesperlightsource", "2"),
+                           Pair("grsh:integrator", "report"), Pair("grsh:seed", "9223372036854775807"),
+                           Pair("grsh:background", "0 0.25 1e-06"), Pair("grsh:exposure", "-0.5")));
+}
+
+// Whatever options there are one day: each that changes the picture is in it, and no other.
+TEST_F(Program, SaysEveryOptionThatChangesThePicture) {
+    run({"a.png"});
+    const std::map<std::string, std::string> texts = Png(folder / "a.png").texts;
+    for (const auto& row : RenderSettings::options()) {
+        const std::string key = "grsh:" + std::string(row.name);
+        if (row.inPicture)
+            EXPECT_THAT(texts, Contains(Key(key)));
+        else
+            EXPECT_THAT(texts, Not(Contains(Key(key))));
+    }
+    EXPECT_THAT(texts, Not(Contains(Key("grsh:threads"))));
+}
+
+// The kinds of chunks in the file. tIME and eXIf, which hold dates, are none of them.
+TEST_F(Program, SaysNothingOfTheTime) {
+    run({"a.png"});
+    const std::string bytes = bytesOf(folder / "a.png");
+    std::vector<std::string> kinds;
+    for (std::size_t at = 8; at + 8 <= bytes.size();) {
+        const auto byte = [&](std::size_t i) { return std::size_t{static_cast<unsigned char>(bytes[at + i])}; };
+        kinds.push_back(bytes.substr(at + 4, 4));
+        at += 12 + (byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3));
+    }
+    EXPECT_THAT(kinds, testing::Each(testing::AnyOf("IHDR", "sRGB", "gAMA", "cHRM", "tEXt", "IDAT", "IEND")));
+    EXPECT_EQ(kinds.back(), "IEND");
+}
+
+TEST_F(Program, LeavesNothingBesideThePicture) {
+    run({"a.png"});
+    EXPECT_THAT(folder.names(), testing::UnorderedElementsAre("scene.gr", "a.png"));
+}
+
+// Of each scene that comes with grsh, two lines from its middle.
+TEST_F(Program, RendersEveryScene) {
+    writeText(folder / "two-lines.gr", R"(
+rename gr_render render
+proc gr_render {node file width height args} {
+    render $node $file $width $height {*}$args startline [expr {$height / 2}] stopline [expr {$height / 2 + 1}] progress off
+}
+source [lindex $argv 0]
+)");
+    int scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(GRSH_SCENES)) {
+        if (entry.path().extension() != ".gr") continue;
+        ++scenes;
+        SCOPED_TRACE(entry.path());
+        ASSERT_EQ(GrshProcess(folder.path(), {"two-lines.gr", entry.path()}).exitCode(), 0);
+        const Png png(folder / (entry.path().stem().string() + ".png"));
+        EXPECT_EQ(png.height, 2);
+        const auto [darkest, brightest] = std::minmax_element(png.lines[0].begin(), png.lines[0].end());
+        EXPECT_GT(*brightest - *darkest, 20);
+    }
+    EXPECT_GT(scenes, 0);
+}
+
+}  // namespace
+}  // namespace render

@@ -1,0 +1,157 @@
+// The random numbers of a path: what they depend on, and that nothing else connects them.
+// Seen to fail with a sampler that ignores the seed's upper half, one that uses x + y for the pixel, one that repeats
+// its block, and numbers squeezed towards 0 by 1 %.
+#include "render/sampler.h"
+
+#include "support/histogram.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace render {
+namespace {
+
+std::vector<float> numbers(Sampler sampler, int count) {
+    std::vector<float> values;
+    for (int i = 0; i < count; ++i) values.push_back(sampler.next1D());
+    return values;
+}
+
+TEST(Sampler, GivesTheSameNumbersForTheSamePath) {
+    EXPECT_EQ(numbers(Sampler(7, 3, 2, 1), 1000), numbers(Sampler(7, 3, 2, 1), 1000));
+    // Two paths at once: neither disturbs the other.
+    Sampler a(7, 3, 2, 1), b(7, 3, 2, 2);
+    std::vector<float> valuesA, valuesB;
+    for (int i = 0; i < 100; ++i) {
+        valuesA.push_back(a.next1D());
+        for (int k = 0; k < i % 3; ++k) valuesB.push_back(b.next1D());
+    }
+    EXPECT_EQ(valuesA, numbers(Sampler(7, 3, 2, 1), 100));
+    EXPECT_EQ(valuesB, numbers(Sampler(7, 3, 2, 2), static_cast<int>(valuesB.size())));
+}
+
+TEST(Sampler, DrawsAPairAsTwoNumbers) {
+    Sampler pairs(1, 2, 3, 4);
+    const std::vector<float> single = numbers(Sampler(1, 2, 3, 4), 12);
+    for (std::size_t i = 0; i < 12; i += 2) EXPECT_EQ(pairs.next2D(), core::Vec2f(single[i], single[i + 1]));
+}
+
+// Every bit of what names a path changes its numbers, and no two paths share them.
+TEST(Sampler, GivesOtherNumbersForEveryOtherPath) {
+    std::set<std::vector<float>> seen;
+    int paths = 0;
+    const auto add = [&](std::uint64_t seed, int x, int y, int sample) {
+        seen.insert(numbers(Sampler(seed, x, y, sample), 4));
+        ++paths;
+    };
+    add(0, 0, 0, 0);
+    for (int bit = 0; bit < 64; ++bit) add(std::uint64_t{1} << bit, 0, 0, 0);
+    for (int bit = 0; bit < 31; ++bit) {
+        add(0, 1 << bit, 0, 0);
+        add(0, 0, 1 << bit, 0);
+        add(0, 0, 0, 1 << bit);
+    }
+    for (int i = 1; i < 10; ++i) {
+        add(static_cast<std::uint64_t>(i), i, i, i);
+        add(0, i, 9 * i, 0);
+        add(0, 0, i, 9 * i);
+    }
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(paths));
+}
+
+TEST(Sampler, DoesNotRepeatItselfWithinAPath) {
+    const std::vector<float> values = numbers(Sampler(0, 0, 0, 0), 4000);
+    std::set<std::vector<float>> fours;
+    for (std::size_t i = 0; i < values.size(); i += 4) fours.insert({values.begin() + i, values.begin() + i + 4});
+    EXPECT_EQ(fours.size(), 1000u);
+}
+
+// Along each of the ways in which a renderer draws: many numbers of one path, and the first of many paths.
+struct Walk {
+    const char* name;
+    std::function<Sampler(int)> path;
+    int perPath;
+};
+constexpr int draws = 1'000'000;
+const Walk walks[] = {
+    {"one path", [](int) { return Sampler(1, 5, 9, 0); }, draws},
+    {"the samples of a pixel", [](int i) { return Sampler(1, 5, 9, i); }, 4},
+    {"a line of pixels", [](int i) { return Sampler(1, i, 9, 0); }, 4},
+    {"a column of pixels", [](int i) { return Sampler(1, 5, i, 0); }, 4},
+    {"seeds", [](int i) { return Sampler(static_cast<std::uint64_t>(i), 5, 9, 0); }, 4},
+};
+
+TEST(Sampler, FillsTheSquareEvenly) {
+    for (const Walk& walk : walks) {
+        support::SquareHistogram histogram;
+        for (int i = 0; i * walk.perPath < draws; ++i) {
+            Sampler sampler = walk.path(i);
+            for (int k = 0; k < walk.perPath; k += 2) {
+                const core::Vec2f u = sampler.next2D();
+                histogram.add(u.x, u.y);
+            }
+        }
+        const support::DistributionResult result = histogram.test([](double, double) { return 1; });
+        EXPECT_TRUE(result.accepted) << walk.name << ": " << result.text;
+    }
+}
+
+// The correlation of n independent pairs is normal about 0 with a standard deviation of 1 / sqrt(n).
+class Correlation {
+public:
+    void add(double a, double b) {
+        // Uniform numbers have mean 1/2 and variance 1/12.
+        products_.add(12 * (a - 0.5) * (b - 0.5));
+    }
+    support::TestResult test() const {
+        return support::zTest(products_.mean(), 1 / std::sqrt(static_cast<double>(products_.count())), 0);
+    }
+
+private:
+    support::RunningMean products_;
+};
+
+TEST(Sampler, DrawsDimensionsThatAreIndependent) {
+    for (const int lag : {1, 2, 3, 4, 5, 8}) {
+        Correlation correlation;
+        for (int i = 0; i < 20'000; ++i) {
+            const std::vector<float> values = numbers(Sampler(2, 5, 9, i), 16 + lag);
+            for (int k = 0; k < 16; ++k)
+                correlation.add(values[static_cast<std::size_t>(k)], values[static_cast<std::size_t>(k + lag)]);
+        }
+        EXPECT_TRUE(correlation.test().accepted) << "lag " << lag << ": " << correlation.test().text;
+    }
+}
+
+TEST(Sampler, GivesNeighboursIndependentNumbers) {
+    struct Neighbour {
+        const char* name;
+        int dx, dy, dSample;
+        std::uint64_t dSeed;
+    };
+    const Neighbour neighbours[] = {{"to the right", 1, 0, 0, 0}, {"below", 0, 1, 0, 0},
+                                    {"aslant", 1, -1, 0, 0},      {"next sample", 0, 0, 1, 0},
+                                    {"next seed", 0, 0, 0, 1},    {"far seed", 0, 0, 0, std::uint64_t{1} << 32},
+                                    {"16 pixels on", 16, 0, 0, 0}};
+    for (const Neighbour& to : neighbours) {
+        Correlation correlation;
+        for (int y = 1; y < 65; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                for (int sample = 0; sample < 8; ++sample) {
+                    Sampler here(3, x, y, sample);
+                    Sampler there(3 + to.dSeed, x + to.dx, y + to.dy, sample + to.dSample);
+                    for (int k = 0; k < 8; ++k) {
+                        const double a = here.next1D();
+                        const double b = there.next1D();
+                        correlation.add(a, b);
+                    }
+                }
+            }
+        }
+        EXPECT_TRUE(correlation.test().accepted) << to.name << ": " << correlation.test().text;
+    }
+}
+
+}  // namespace
+}  // namespace render

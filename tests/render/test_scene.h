@@ -1,0 +1,77 @@
+// Scenes that tests build by hand, and the light that is measured in them.
+#pragma once
+
+#include "gr/database.h"
+#include "gr/scene.h"
+#include "render/integrator.h"
+#include "support/statistics.h"
+
+namespace render {
+
+using RgbMean = std::array<support::RunningMean, 3>;
+
+// Objects stand below the root, are found as ":name", and reflect diffusely.
+struct TestScene {
+    gr::Database database;
+    RenderSettings settings;
+    core::Rgbf ambient{0};
+    std::vector<std::string> pointLights;
+
+    void add(const std::string& name, const gr::NodeContent& content, const core::Rgbf& reflectance) {
+        database.create(":", name, content);
+        database.addMaterial(name, materials::Diffuse{reflectance});
+        database.setMaterial(":" + name, name);
+    }
+    void addPolygon(const std::string& name, const std::vector<glm::dvec3>& outline, const core::Rgbf& reflectance) {
+        std::vector<int> face;
+        for (std::size_t i = 0; i < outline.size(); ++i) face.push_back(static_cast<int>(i));
+        gr::MeshRepairs repairs;
+        add(name, gr::PolyhedronNode{gr::Polyhedron::make({outline, {face}}, repairs)}, reflectance);
+    }
+    void addAreaLight(const std::string& name, const core::Rgbf& radiance, const glm::dvec3& centre, double size) {
+        database.create(":", name, gr::AreaLightNode{radiance, centre, size});
+    }
+    void addPointLight(const std::string& name, const gr::PointLight& light) {
+        database.addPointLight(name, light);
+        pointLights.push_back(name);
+    }
+};
+
+inline core::Rayf rayTowards(const glm::dvec3& from, const glm::dvec3& to) {
+    return {core::Vec3f(from), core::Vec3f(glm::normalize(to - from))};
+}
+
+// A scene made ready to be measured. Later changes of the TestScene do not reach it.
+class Radiometer {
+public:
+    explicit Radiometer(const TestScene& scene)
+        : scene_(gr::compile(scene.database, ":", scene.pointLights)),
+          accelerator_(gr::makeNoAccelerator(scene_)),
+          integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient)) {}
+    Radiometer(const Radiometer&) = delete;
+    Radiometer& operator=(const Radiometer&) = delete;
+
+    const Integrator& integrator() const { return *integrator_; }
+
+    // One path.
+    core::Rgbf sample(const core::Rayf& ray, std::uint64_t seed, int number) const {
+        Sampler sampler(seed, 0, 0, number);
+        RayCounts rays;
+        return integrator_->radiance(ray, sampler, rays);
+    }
+    RgbMean measure(const core::Rayf& ray, int samples, std::uint64_t seed) const {
+        RgbMean mean;
+        for (int i = 0; i < samples; ++i) {
+            const core::Rgbf radiance = sample(ray, seed, i);
+            for (int channel = 0; channel < 3; ++channel) mean[channel].add(radiance[channel]);
+        }
+        return mean;
+    }
+
+private:
+    gr::Scene scene_;
+    std::unique_ptr<gr::Accelerator> accelerator_;
+    std::unique_ptr<Integrator> integrator_;
+};
+
+}  // namespace render
