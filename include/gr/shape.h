@@ -72,7 +72,7 @@ struct Sphere {
 struct Box {
     static constexpr float extent = 1;
 
-    // Slabs (Kay and Kajiya 1986). A ray inside a face's plane makes 0 / 0; min and max then keep the other bound.
+    // Slabs (Kay and Kajiya 1986). A ray inside a face's plane makes 0 / 0; min and max then keep the bound so far.
     template<class Real>
     Real intersect(const core::Ray<Real>& ray) const {
         using core::select;
@@ -82,8 +82,9 @@ struct Box {
             const Real inverse = Real(1) / ray.direction[axis];
             const Real t0 = -ray.origin[axis] * inverse;
             const Real t1 = (Real(1) - ray.origin[axis]) * inverse;
-            enter = core::max(core::min(t0, t1), enter);
-            leave = core::min(core::max(t0, t1), leave);
+            const core::Mask<Real> upwards = inverse > Real(0);
+            enter = core::max(select(upwards, t0, t1), enter);
+            leave = core::min(select(upwards, t1, t0), leave);
         }
         // Three roundings (Ize, "Robust BVH Ray Traversal", 2013): a ray along an edge does not slip between two slabs.
         const core::Mask<Real> meets = enter <= leave * Real(1 + 4 * 0x1p-23f);

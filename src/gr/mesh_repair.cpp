@@ -60,12 +60,20 @@ int dropFromOutline(const PolygonMesh& mesh, std::vector<int>& face) {
     return static_cast<int>(before - face.size());
 }
 
+// Whether all corners lie on one line.
+bool isOnALine(const PolygonMesh& mesh, const std::vector<int>& face) {
+    const glm::dvec3 origin = mesh.vertices[face[0]];
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+        if (glm::cross(mesh.vertices[face[i]] - origin, mesh.vertices[face[i + 1]] - origin) != glm::dvec3(0)) return false;
+    return true;
+}
+
 }  // namespace
 
 void dropDegenerate(PolygonMesh& mesh, MeshRepairs& repairs) {
     const auto hasNoArea = [&](std::vector<int>& face) {
         const int dropped = dropFromOutline(mesh, face);
-        if (face.size() < 3 || faceNormal(mesh, face) == glm::dvec3(0)) return true;
+        if (face.size() < 3 || isOnALine(mesh, face)) return true;
         repairs.droppedVertices += dropped;
         return false;
     };

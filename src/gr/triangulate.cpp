@@ -104,9 +104,10 @@ std::vector<glm::ivec3> triangulate(const PolygonMesh& mesh) {
             triangles.emplace_back(face[0], face[1], face[2]);
             continue;
         }
+        // An outline whose areas cancel, a bow tie, has no side to be looked at from.
         const Outline outline = project(mesh, face);
         std::vector<glm::ivec3> corners;
-        if (crossesItself(outline) || !clipEars(outline, corners)) {
+        if (faceNormal(mesh, face) == glm::dvec3(0) || crossesItself(outline) || !clipEars(outline, corners)) {
             std::string words;
             for (const int v : face) {
                 if (!words.empty()) words += ' ';

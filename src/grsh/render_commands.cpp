@@ -205,6 +205,8 @@ Tcl_Obj* renderCommand(Call& call) {
     // Everything that can be wrong is found before the first ray.
     const RenderJob job = readJob(call);
     const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights);
+    // Ctrl-C is ours to see from here on, until no temporary file is left behind.
+    const InterruptScope scope(call.interp);
     const render::ImageFile file(job.file);
 
     // Render.

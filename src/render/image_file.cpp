@@ -107,11 +107,12 @@ private:
 
 }  // namespace
 
-ImageFile::ImageFile(const std::string& path) : path_(path), target_(resolve(path)) {
-    std::string ending = target_.extension().string();
+ImageFile::ImageFile(const std::string& path) : path_(path) {
+    std::string ending = fs::path(path).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending != ".png")
         throw core::Error("FILE", "ENDING", path, "cannot write \"" + path + "\": the file's ending must be .png");
+    target_ = resolve(path);
     // The one sure way to know whether a file can be made in a folder, for every user and every file system.
     TemporaryFile probe(target_, path);
 }

@@ -1,7 +1,7 @@
 // The parts of the documentation that the code knows best. In its file each stands between two lines,
 //     <!-- generated: NAME -->
 //     <!-- end -->
-// docs_text ROOT writes what lies between them; docs_text --check ROOT tells where they differ from the code, and fails.
+// docs_text ROOT writes what lies between them; docs_text --check ROOT fails where that is not what the code has.
 #include "core/option.h"
 #include "grsh/commands.h"
 #include "materials/material.h"

@@ -4,6 +4,7 @@
 #     `src/gr/scene.cpp`    a file or a folder, as seen from the root
 #     | `src/gr/scene.cpp` | `surfaceAt`, ... |    a row of a table: the file holds the words of the next cell
 # tests/docs/places.sh --self-test: plants such faults and expects each to be found.
+# shellcheck disable=SC2016 # backquotes are what is looked for
 set -euo pipefail
 
 # Prints "line:match" for every match of a pattern in a file.
@@ -29,7 +30,7 @@ check() {
         while IFS=: read -r line text; do
             [[ $text =~ ^\`([^\`]+)\`\ *\|(.*)$ ]] || continue
             text=${BASH_REMATCH[1]}
-            words=$(grep -oP '`\K[^`]+(?=`)' <<<"${BASH_REMATCH[2]}" || true)
+            words=$(grep -o '`[^`]*`' <<<"${BASH_REMATCH[2]}" | tr -d '`' || true)
             while read -r word; do
                 [[ -z $word || ! -f $text ]] || grep -qwF -- "$word" "$text" || fault "\"$text\" has no \"$word\""
             done <<<"$words"
@@ -45,9 +46,9 @@ self_test() {
     # shellcheck disable=SC2064 # the name is wanted as it is now
     trap "rm -rf '$tree'" EXIT
     mkdir -p "$tree"/{docs,src/gr}
-    echo 'void pack() {}' >"$tree/src/gr/scene.cpp"
+    echo 'void pack(Ray ray) {}' >"$tree/src/gr/scene.cpp"
     good='See [tour](docs/tour.md#hops), [home](https://example.org), `src/gr/scene.cpp` and `src/gr/`.'
-    printf '%s\n' "$good" '| `src/gr/scene.cpp` | `pack`, again | `other` |' >"$tree/README.md"
+    printf '%s\n' "$good" '| `src/gr/scene.cpp` | `pack`, `Ray` | `other` |' >"$tree/README.md"
     echo '[up](../README.md)' >"$tree/docs/tour.md"
     check "$tree"
 
@@ -65,7 +66,7 @@ self_test() {
     plant docs/tour.md '[a](docs/tour.md)' 'links to "docs/tour.md", which is not there'
     plant README.md 'run `./tools/run x`' 'names "tools/run", which is not there'
     plant docs/tour.md '`src/gr/grid.cpp`' 'names "src/gr/grid.cpp", which is not there'
-    plant docs/tour.md '| 1 | `src/gr/scene.cpp` | `pac` |' '"src/gr/scene.cpp" has no "pac"'
+    plant docs/tour.md '| 1 | `src/gr/scene.cpp` | `Ray`, `pac` |' '"src/gr/scene.cpp" has no "pac"'
 
     rm "$tree"/docs/*.md && echo nothing | tee "$tree/README.md" >"$tree/docs/a.md"
     if (check "$tree") >/dev/null; then echo "self-test: a tree that names nothing passed" && exit 1; fi
