@@ -31,7 +31,7 @@ The script finds its further words in argv. An error is shown as "file:line: mes
 exits 2, Ctrl-C exits 130.
 
   grsh scenes/hello.gr           renders the smallest scene
-  echo gr_help | grsh -          lists the commands; "gr_help gr_render" explains one
+  echo 'puts [gr_help]' | grsh -    lists the commands; 'puts [gr_help gr_render]' explains one
 )";
 
 int wrongUsage(const std::string& message) {

@@ -35,20 +35,24 @@ std::string durationText(double seconds) {
 std::string rateText(std::uint64_t rays, double seconds) {
     const double rate = seconds > 0 ? static_cast<double>(rays) / seconds : 0;
     if (rate < 1e3) return format("%.0f rays/s", rate);
-    return rate < 1e6 ? format("%#.3g krays/s", rate * 1e-3) : format("%#.3g Mrays/s", rate * 1e-6);
+    const bool isMega = rate >= 1e6;
+    const double shown = rate * (isMega ? 1e-6 : 1e-3);
+    const int decimals = shown < 9.995 ? 2 : shown < 99.95 ? 1 : 0;
+    return format("%.*f %s", decimals, shown, isMega ? "Mrays/s" : "krays/s");
 }
 
 std::string progressText(const std::string& title, std::uint64_t done, std::uint64_t samples, std::uint64_t rays,
                          double seconds, std::size_t columns) {
-    constexpr int barLength = 24;
+    constexpr int barLength = 16;
     const double part = samples == 0 ? 1 : static_cast<double>(done) / static_cast<double>(samples);
     const int filled = static_cast<int>(part * barLength);
     std::string line = title + " [" + std::string(static_cast<std::size_t>(filled), '#') +
-                       std::string(static_cast<std::size_t>(barLength - filled), '.') + "] ";
-    line += format("%3.0f %%  %.3g of %.3g Msamples  ", std::floor(100 * part), static_cast<double>(done) * 1e-6,
-                   static_cast<double>(samples) * 1e-6);
-    line += rateText(rays, seconds);
+                       std::string(static_cast<std::size_t>(barLength - filled), '.') + "] " +
+                       format("%3.0f %%", std::floor(100 * part));
+    // What is most wanted comes first: a narrow terminal cuts the rest off.
     if (done > 0) line += "  " + durationText(seconds * (1 - part) / part) + " left";
+    line += "  " + rateText(rays, seconds);
+    line += format("  %.3g of %.3g Msamples", static_cast<double>(done) * 1e-6, static_cast<double>(samples) * 1e-6);
     // The last column stays free: some terminals go on to the next line once it is written.
     line.resize(std::min(line.size(), columns - 1));
     return line;
@@ -77,7 +81,8 @@ void ProgressLine::drawUntilDone() {
 
 void ProgressLine::draw() const {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    const std::string line = progressText(title_, progress_.samples, samples_, progress_.rays, passed.count(), terminalColumns());
+    const std::string line =
+        progressText(title_, progress_.samples, samples_, progress_.rays, passed.count(), terminalColumns());
     std::fprintf(stderr, "\r%s\033[K", line.c_str());
     std::fflush(stderr);
 }

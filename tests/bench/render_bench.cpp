@@ -1,4 +1,4 @@
-// The integrators on scenes/cornell1.gr's box, beside the bare loop over the same box, on one thread.
+// The integrators on a Cornell box, beside the bare loop over the same box, on one thread.
 #include "bare_loop.h"
 #include "gr/database.h"
 #include "render/render.h"
@@ -7,7 +7,7 @@
 
 namespace {
 
-// The room of scenes/lib/cornell.tcl with the blocks of scenes/cornell1.gr.
+// A Cornell box like that of scenes/cornell1.gr: walls of polygons, two blocks, a lamp.
 void buildCornell(gr::Database& database) {
     const auto material = [&](const char* name, const core::Rgbf& colour) {
         database.addMaterial(name, materials::Diffuse{colour});
