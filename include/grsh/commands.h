@@ -34,6 +34,7 @@ struct Command {
     // Returns the command's result, or null for none. Throws core::Error, without the command's name.
     Tcl_Obj* (*function)(Call& call);
     std::string_view help;
+    std::string_view details = {};  // lines that gr_help adds, e.g. what the words mean
 };
 
 inline constexpr std::size_t anyNumberOfWords = ~std::size_t{0};

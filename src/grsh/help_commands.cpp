@@ -19,6 +19,7 @@ std::string about(const Command& command) {
     std::string text = std::string(command.name);
     if (!command.usage.empty()) text += " " + std::string(command.usage);
     text += "\n" + std::string(command.help);
+    if (!command.details.empty()) text += "\n" + std::string(command.details);
     if (!command.alias.empty()) text += "\nolder name: " + std::string(command.alias);
     std::string options;
     if (command.name == "gr_render") options = renderOptionsHelp();

@@ -226,7 +226,11 @@ Tcl_Obj* renderCommand(Call& call) {
 
 constexpr std::array<Command, 1> rows{{
     {"gr_render", "", "node file width height {eye} {view} {up} fov ?{ambient} ?{lights}?? ?option value ...?", 8,
-     anyNumberOfWords, renderCommand, "renders the subtree at node into a picture file and returns what it did"},
+     anyNumberOfWords, renderCommand, "renders the subtree at node into a picture file and returns what it did",
+     "eye is a point, view and up are directions\n"
+     "fov is the vertical field of view in degrees, between 0 and 180\n"
+     "ambient is added where a path ends because it is as long as it may be\n"
+     "lights are the names of the gr_light lights that shine"},
 }};
 
 }  // namespace
