@@ -1,6 +1,7 @@
 // Direct light from area lights, against Lambert's polygon formula.
-// Seen to fail with the cosine at the surface or at the light dropped, 1/pi dropped, the area of the untransformed
-// square, the samples' sum for their mean, and a light that shines on both sides.
+// Seen to fail with the cosine at the surface or at the light dropped, 1/pi dropped, an area 2 % too large or that of
+// the untransformed square, a normal that goes the points' way, the samples' sum for their mean, places on one half of
+// the light, no shadows, and shadow rays that go on behind the light.
 #include "render/converges.h"
 #include "render/lambert.h"
 #include "support/quadrature.h"

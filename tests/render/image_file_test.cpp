@@ -52,7 +52,10 @@ TEST(ImageFile, ShowsRadianceTimesTwoToTheExposure) {
 
 // The standard's primaries and white, and the gamma that stands for the curve where sRGB is not known.
 TEST(ImageFile, DeclaresItsColourSpace) {
-    const Png png = written(Film(1, 1, 0, 1));
+    const TemporaryFolder folder;
+    ImageFile(folder / "a.png").write(Film(1, 1, 0, 1), 0, {});
+    EXPECT_THAT(chunkKinds(folder / "a.png"), testing::IsSupersetOf({"sRGB", "gAMA", "cHRM"}));
+    const Png png(folder / "a.png");
     EXPECT_EQ(png.srgbIntent, PNG_sRGB_INTENT_RELATIVE);
     EXPECT_NEAR(png.gamma, 1 / 2.2, 1e-5);
     EXPECT_THAT(png.chromaticities,

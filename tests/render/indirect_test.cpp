@@ -1,7 +1,7 @@
 // Light that comes by way of a wall, against quadrature of the same integral:
 // L = R_d/pi * integral over the wall of (R_w/pi * E(y)) cos cos' / d^2 dy, with E(y) by Lambert's formula.
-// Seen to fail with a light's emission counted again after a bounce (1.45 times too bright), the bounce's cosine
-// dropped, its density twice too large, and a path one point too short.
+// Seen to fail with a light's emission counted again after a bounce, the bounce's cosine dropped, its density doubled,
+// and a path one point too short.
 #include "render/converges.h"
 #include "render/lambert.h"
 #include "support/quadrature.h"

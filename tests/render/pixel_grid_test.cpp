@@ -36,7 +36,7 @@ TEST(PixelGrid, GivesEverySampleACellOfItsOwn) {
             const core::Vec2f place = grid.place(i, u);
             const int column = static_cast<int>(place.x * static_cast<float>(grid.columns()));
             const int row = static_cast<int>(place.y * static_cast<float>(grid.rows()));
-            ++found[static_cast<std::size_t>(row * grid.columns() + column)];
+            ++found.at(static_cast<std::size_t>(row * grid.columns() + column));
         }
         EXPECT_THAT(found, testing::Each(1)) << samples << " samples";
     }
@@ -109,7 +109,7 @@ TEST(Antialiasing, OnPutsOneSampleInEachCellOfEachPixel) {
     renderEdge(edge, true, 12, 5);
     std::vector<int> found(48);  // 8 x 6 cells in the whole picture
     for (const core::Vec2f& place : edge.places)
-        ++found[static_cast<std::size_t>(place.y * 3) * 8 + static_cast<std::size_t>(place.x * 4)];
+        ++found.at(static_cast<std::size_t>(place.y * 3) * 8 + static_cast<std::size_t>(place.x * 4));
     EXPECT_THAT(found, testing::Each(1));
 }
 

@@ -1,6 +1,8 @@
 // A PNG file as it is: its pixels, and all that it says of itself.
 #pragma once
 
+#include "render/temporary_folder.h"
+
 #include <png.h>
 
 #include <cstdio>
@@ -79,6 +81,18 @@ inline void Png::readTexts(png_structp png, png_infop info) {
         if (!texts.emplace(text[i].key, text[i].text).second) throw std::runtime_error("a text twice");
         compressions[text[i].key] = text[i].compression;
     }
+}
+
+// The kinds of its chunks, in order: IHDR, ..., IEND. libpng makes up some that are not there.
+inline std::vector<std::string> chunkKinds(const std::string& path) {
+    const std::string bytes = bytesOf(path);
+    std::vector<std::string> kinds;
+    for (std::size_t at = 8; at + 8 <= bytes.size();) {
+        const auto byte = [&](std::size_t i) { return std::size_t{static_cast<unsigned char>(bytes[at + i])}; };
+        kinds.push_back(bytes.substr(at + 4, 4));
+        at += 12 + (byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3));
+    }
+    return kinds;
 }
 
 }  // namespace render

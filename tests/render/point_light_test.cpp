@@ -1,4 +1,4 @@
-// Light without noise: what points of light, the ambient and the background give is known to the last digit.
+// Light without noise: what points of light, the ambient and the background give is known to single precision.
 #include "render/converges.h"
 
 #include <gmock/gmock.h>

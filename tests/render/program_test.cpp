@@ -112,13 +112,7 @@ TEST_F(Program, SaysEveryOptionThatChangesThePicture) {
 // The kinds of chunks in the file. tIME and eXIf, which hold dates, are none of them.
 TEST_F(Program, SaysNothingOfTheTime) {
     run({"a.png"});
-    const std::string bytes = bytesOf(folder / "a.png");
-    std::vector<std::string> kinds;
-    for (std::size_t at = 8; at + 8 <= bytes.size();) {
-        const auto byte = [&](std::size_t i) { return std::size_t{static_cast<unsigned char>(bytes[at + i])}; };
-        kinds.push_back(bytes.substr(at + 4, 4));
-        at += 12 + (byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3));
-    }
+    const std::vector<std::string> kinds = chunkKinds(folder / "a.png");
     EXPECT_THAT(kinds, testing::Each(testing::AnyOf("IHDR", "sRGB", "gAMA", "cHRM", "tEXt", "IDAT", "IEND")));
     EXPECT_EQ(kinds.back(), "IEND");
 }

@@ -1,6 +1,6 @@
 // A picture against a reference made of other random numbers: every pixel and the whole must agree.
-// Seen to fail with a pixel that uses its neighbour's random numbers only for the light, samples averaged over one too
-// few, and a picture 2 % too bright.
+// Seen to fail with a seed that is ignored, the same random numbers in all pixels, a mean over one sample too few, and
+// a lamp 2 % too bright.
 #include "render/render.h"
 
 #include "render/test_scene.h"
