@@ -49,15 +49,14 @@ int threadCount(int threads) {
 void parallelFor(int count, int threads, const std::function<void(int)>& task) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);
+    // The body is written before the fork, for the tasks read it.
+    const auto body = [&](int i) {
+        ForkJoin::taskBegins();
+        task(i);
+        ForkJoin::taskEnds();
+    };
     ForkJoin::fork();
-    arena.execute([&] {
-        const auto body = [&](int i) {
-            ForkJoin::taskBegins();
-            task(i);
-            ForkJoin::taskEnds();
-        };
-        tbb::parallel_for(0, count, body, tbb::simple_partitioner{});
-    });
+    arena.execute([&] { tbb::parallel_for(0, count, body, tbb::simple_partitioner{}); });
     ForkJoin::join();
 }
 

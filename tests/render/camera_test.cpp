@@ -75,8 +75,8 @@ TEST(Camera, HoldsForEveryFieldOfView) {
 
 TEST(Camera, GivesUnitDirections) {
     const Camera camera({0, 0, 0}, {0.3, -0.5, 1}, {0, 1, 0}, 120, 640, 480);
-    for (float x = 0; x <= 640; x += 80)
-        for (float y = 0; y <= 480; y += 80) EXPECT_NEAR(glm::length(camera.ray(Vec2f(x, y)).direction), 1, 2e-7);
+    for (int x = 0; x <= 640; x += 80)
+        for (int y = 0; y <= 480; y += 80) EXPECT_NEAR(glm::length(camera.ray(Vec2f(x, y)).direction), 1, 2e-7);
 }
 
 TEST(Camera, IsTheSameInLanes) {
@@ -149,8 +149,8 @@ TEST_F(Silhouette, OfABallIsTheConeThatTouchesIt) {
     int seen = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const glm::dvec3 through = forward + right * ((x + 0.5 - width / 2) * pixel) +
-                                       glm::cross(right, forward) * ((height / 2 - y - 0.5) * pixel);
+            const glm::dvec3 through = forward + right * ((x + 0.5 - width / 2.0) * pixel) +
+                                       glm::cross(right, forward) * ((height / 2.0 - y - 0.5) * pixel);
             const bool isSeen = glm::dot(glm::normalize(through), toBall) > cosine;
             seen += isSeen ? 1 : 0;
             ASSERT_EQ(lines[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)], isSeen ? '#' : '.')

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,9 +17,8 @@ class GrshProcess {
 public:
     GrshProcess(const std::string& folder, std::vector<std::string> words) {
         words.insert(words.begin(), GRSH_PROGRAM);
-        std::vector<char*> argv;
-        for (std::string& word : words) argv.push_back(word.data());
-        argv.push_back(nullptr);
+        std::vector<char*> argv(words.size() + 1);  // the last stays null
+        std::transform(words.begin(), words.end(), argv.begin(), [](std::string& word) { return word.data(); });
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());

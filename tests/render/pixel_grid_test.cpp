@@ -36,7 +36,8 @@ TEST(PixelGrid, GivesEverySampleACellOfItsOwn) {
             const core::Vec2f place = grid.place(i, u);
             const int column = static_cast<int>(place.x * static_cast<float>(grid.columns()));
             const int row = static_cast<int>(place.y * static_cast<float>(grid.rows()));
-            ++found.at(static_cast<std::size_t>(row * grid.columns() + column));
+            ++found.at(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns()) +
+                       static_cast<std::size_t>(column));
         }
         EXPECT_THAT(found, testing::Each(1)) << samples << " samples";
     }

@@ -13,8 +13,8 @@ namespace render {
 namespace {
 
 std::vector<float> numbers(Sampler sampler, int count) {
-    std::vector<float> values;
-    for (int i = 0; i < count; ++i) values.push_back(sampler.next1D());
+    std::vector<float> values(static_cast<std::size_t>(count));
+    for (float& value : values) value = sampler.next1D();
     return values;
 }
 
@@ -108,12 +108,11 @@ private:
 };
 
 TEST(Sampler, DrawsDimensionsThatAreIndependent) {
-    for (const int lag : {1, 2, 3, 4, 5, 8}) {
+    for (const std::size_t lag : {1, 2, 3, 4, 5, 8}) {
         Correlation correlation;
         for (int i = 0; i < 20'000; ++i) {
-            const std::vector<float> values = numbers(Sampler(2, 5, 9, i), 16 + lag);
-            for (int k = 0; k < 16; ++k)
-                correlation.add(values[static_cast<std::size_t>(k)], values[static_cast<std::size_t>(k + lag)]);
+            const std::vector<float> values = numbers(Sampler(2, 5, 9, i), 16 + static_cast<int>(lag));
+            for (std::size_t k = 0; k < 16; ++k) correlation.add(values[k], values[k + lag]);
         }
         EXPECT_TRUE(correlation.test().accepted) << "lag " << lag << ": " << correlation.test().text;
     }
