@@ -13,6 +13,30 @@ struct TriangleCrossing {
 };
 
 template<class Real>
+TriangleCrossing<Real> select(const core::Mask<Real>& mask, const TriangleCrossing<Real>& yes,
+                              const TriangleCrossing<Real>& no) {
+    return {(mask & yes.inside) | (no.inside & !mask), core::select(mask, yes.u, no.u), core::select(mask, yes.v, no.v),
+            core::select(mask, yes.w, no.w)};
+}
+
+// What is lost when a * b is rounded to `product` (Dekker 1971): the factors are split into halves whose products are
+// exact.
+template<class Real>
+Real lostFrom(Real product, Real a, Real b) {
+    const Real splitter(0x1p12f + 1);
+    const Real aHigh = splitter * a - (splitter * a - a), aLow = a - aHigh;
+    const Real bHigh = splitter * b - (splitter * b - b), bLow = b - bHigh;
+    return ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
+}
+
+// a * b - c * d to the last bit or two.
+template<class Real>
+Real differenceOfProducts(Real a, Real b, Real c, Real d) {
+    const Real ab = a * b, cd = c * d;
+    return (ab - cd) + (lostFrom(ab, a, b) - lostFrom(cd, c, d));
+}
+
+template<class Real>
 struct TriangleHit {
     Real t;  // infinity where the ray misses
     Real b1, b2;  // weights of the second and the third vertex at the hit
@@ -87,20 +111,21 @@ struct TriangleRay {
           scale(ray.scale),
           tMax(ray.tMax) {}
 
-    // Vertices are permuted ones here and in hit.
+    // Vertices are permuted ones here, in exactCross and in hit.
     TriangleCrossing<Real> cross(const core::Vec3<Real>& v0, const core::Vec3<Real>& v1,
                                  const core::Vec3<Real>& v2) const {
-        const core::Vec3<Real> a = v0 - origin, b = v1 - origin, c = v2 - origin;
-        const Real ax = a.x - slopeX * a.z, ay = a.y - slopeY * a.z;
-        const Real bx = b.x - slopeX * b.z, by = b.y - slopeY * b.z;
-        const Real cx = c.x - slopeX * c.z, cy = c.y - slopeY * c.z;
-        const Real u = cx * by - cy * bx;
-        const Real v = ax * cy - ay * cx;
-        const Real w = bx * ay - by * ax;
-        const Real zero(0);
-        const core::Mask<Real> inside =
-            ((u >= zero) & (v >= zero) & (w >= zero)) | ((u <= zero) & (v <= zero) & (w <= zero));
-        return {inside, u, v, w};
+        const core::Vec2<Real> a = sheared(v0), b = sheared(v1), c = sheared(v2);
+        return crossingOf(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+    }
+
+    // The areas of a thin triangle are small differences of large products. With what the products lose by rounding, t,
+    // which is a mean weighted by the areas, would be so far off that a ray met the triangle that it has just left.
+    // Signs that are not 0 in `cross` are the same here.
+    TriangleCrossing<Real> exactCross(const core::Vec3<Real>& v0, const core::Vec3<Real>& v1,
+                                      const core::Vec3<Real>& v2) const {
+        const core::Vec2<Real> a = sheared(v0), b = sheared(v1), c = sheared(v2);
+        return crossingOf(differenceOfProducts(c.x, b.y, c.y, b.x), differenceOfProducts(a.x, c.y, a.y, c.x),
+                          differenceOfProducts(b.x, a.y, b.y, a.x));
     }
 
     // t as the mean of the vertices', weighted by the areas. A triangle seen edge-on has no area and is missed.
@@ -119,6 +144,19 @@ struct TriangleRay {
                                 const core::Vec3<Real>& v2) const {
         const core::Vec3<Real> a = axes.permute(v0), b = axes.permute(v1), c = axes.permute(v2);
         return hit(cross(a, b, c), a, b, c);
+    }
+
+private:
+    core::Vec2<Real> sheared(const core::Vec3<Real>& vertex) const {
+        const core::Vec3<Real> a = vertex - origin;
+        return {a.x - slopeX * a.z, a.y - slopeY * a.z};
+    }
+
+    static TriangleCrossing<Real> crossingOf(const Real& u, const Real& v, const Real& w) {
+        const Real zero(0);
+        const core::Mask<Real> inside =
+            ((u >= zero) & (v >= zero) & (w >= zero)) | ((u <= zero) & (v <= zero) & (w <= zero));
+        return {inside, u, v, w};
     }
 };
 

@@ -64,7 +64,8 @@ int dropFromOutline(const PolygonMesh& mesh, std::vector<int>& face) {
 bool isOnALine(const PolygonMesh& mesh, const std::vector<int>& face) {
     const glm::dvec3 origin = mesh.vertices[face[0]];
     for (std::size_t i = 1; i + 1 < face.size(); ++i)
-        if (glm::cross(mesh.vertices[face[i]] - origin, mesh.vertices[face[i + 1]] - origin) != glm::dvec3(0)) return false;
+        if (glm::cross(mesh.vertices[face[i]] - origin, mesh.vertices[face[i + 1]] - origin) != glm::dvec3(0))
+            return false;
     return true;
 }
 

@@ -118,7 +118,7 @@ private:
             const int lane = static_cast<int>(smallTriangles_ % packWidth);
             if (lane == 0) smallMeshes_.emplace_back();
             MeshPack& pack = smallMeshes_.back();
-            for (int corner = 0; corner < 3; ++corner) pack.triangles.set(lane, corner, polyhedron->vertex(i, corner));
+            pack.triangles.set(lane, {polyhedron->vertex(i, 0), polyhedron->vertex(i, 1), polyhedron->vertex(i, 2)});
             pack.instance[lane] = instance;
             pack.triangle[lane] = i;
         }

@@ -34,11 +34,10 @@ std::shared_ptr<const Polyhedron> Polyhedron::make(PolygonMesh mesh, MeshRepairs
 Polyhedron::Polyhedron(const std::vector<glm::dvec3>& vertices, const std::vector<glm::ivec3>& triangles)
     : packs_((triangles.size() + packWidth - 1) / packWidth), triangleCount_(triangles.size()) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const core::Vec3f v(vertices[static_cast<std::size_t>(triangles[i][corner])]);
-            extent_ = std::max(extent_, core::largestComponent(v));
-            packs_[i / packWidth].set(static_cast<int>(i % packWidth), corner, v);
-        }
+        const auto corner = [&](int k) { return core::Vec3f(vertices[static_cast<std::size_t>(triangles[i][k])]); };
+        const std::array<core::Vec3f, 3> corners{corner(0), corner(1), corner(2)};
+        for (const core::Vec3f& v : corners) extent_ = std::max(extent_, core::largestComponent(v));
+        packs_[i / packWidth].set(static_cast<int>(i % packWidth), corners);
     }
 }
 
@@ -85,7 +84,8 @@ ShapePoint Polyhedron::surfaceAt(const core::Rayf& ray, const Hit& hit, const co
     const core::Vec3f a = vertex(hit.triangle, 0);
     const core::Vec3f b = vertex(hit.triangle, 1);
     const core::Vec3f c = vertex(hit.triangle, 2);
-    const core::Vec3f normal = glm::cross(b - a, c - a);
+    // In double precision: in single, a thin triangle's would be turned along it by more than the offset allows for.
+    const core::Vec3f normal(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
     // A vertex's weight is the distance from the edge opposite over the height above it; the smallest height stands on
     // the longest edge. To be clear of the face beyond an edge takes 1 / sin(angle) times the margin where they meet at
     // an acute angle: 4 is enough for 15 degrees.

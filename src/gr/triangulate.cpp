@@ -75,8 +75,8 @@ bool isFlat(const Outline& outline, const std::vector<int>& left) {
     return true;
 }
 
-// Ear clipping (Meisters 1975: every simple outline of more than three corners has two ears). Goes on behind the last
-// ear, which keeps the triangles from all meeting in one corner. False when there is no ear: the outline is not simple.
+// Ear clipping (Meisters 1975: every simple outline of more than three corners has two ears). Of a
+// convex outline this makes a fan. False when there is no ear: the outline is not simple.
 bool clipEars(const Outline& outline, std::vector<glm::ivec3>& triangles) {
     std::vector<int> left(outline.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);

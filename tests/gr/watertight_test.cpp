@@ -76,6 +76,13 @@ TEST(Watertight, Icosphere) {
     expectWatertight({icosphereMesh(2)}, 0.5, rayCount(200'000), 3);
 }
 
+// Faces of a plank: long and thin ones beside broad ones.
+TEST(Watertight, Plank) {
+    PolygonMesh plank = cubeMesh();
+    for (glm::dvec3& v : plank.vertices) v *= glm::dvec3(1, 0.003, 0.2);
+    expectWatertight({plank}, 0.002, rayCount(200'000), 6);
+}
+
 // Its six walls are polyhedra of their own, at corners that have no short binary fractions.
 TEST(Watertight, RoomOfSeparateWalls) {
     PolygonMesh room = cubeMesh();
