@@ -80,34 +80,32 @@ public:
 private:
     Rgbf directLight(const ShadingPoint& point, Sampler& sampler, RayCounts& rays) const {
         Rgbf sum(0);
+        const Vec3f start = point.surface.offset(point.frame.z);
         for (const gr::AreaLight& light : scene_.areaLights) {
             // The mean of M samples, each of them f * cos * radiance / pdf.
             Rgbf lightSum(0);
             for (int i = 0; i < lightSamples_; ++i) {
                 const core::Vec2f u = sampler.next2D();
                 const gr::LightSample<float> sample = light.sample<float>(point.surface.position, u);
-                // The shadow ray ends a hair before the light.
-                const Vec3f end = gr::SurfacePoint::offsetFrom(sample.target, light.normal, light.error);
-                lightSum += reflected(point, sample, end, rays);
+                lightSum += reflected(point, sample, scene_.shadowRay(start, light, sample.target), rays);
             }
             sum += lightSum / static_cast<float>(lightSamples_);
         }
         for (const gr::PointLight& light : scene_.pointLights) {
             const gr::LightSample<float> sample = light.sample<float>(point.surface.position);
-            sum += reflected(point, sample, sample.target, rays);
+            sum += reflected(point, sample, {start, sample.target - start, 1.f}, rays);
         }
         return sum;
     }
 
     // What the surface reflects of a light sample towards the eye, black where something stands between.
-    Rgbf reflected(const ShadingPoint& point, const gr::LightSample<float>& sample, const Vec3f& end,
+    Rgbf reflected(const ShadingPoint& point, const gr::LightSample<float>& sample, const Rayf& shadowRay,
                    RayCounts& rays) const {
         const Vec3f wi = point.frame.toLocal(sample.wi);
         const Rgbf light = evalBsdf(point, wi) * std::abs(wi.z) * sample.weight;
         if (light == Rgbf(0)) return light;
-        const Vec3f start = point.surface.offset(point.frame.z);
         ++rays.shadow;
-        return accelerator_.occluded({start, end - start, 1.f}) ? Rgbf(0) : light;
+        return accelerator_.occluded(shadowRay) ? Rgbf(0) : light;
     }
 
     Rgbf ambientLight(const ShadingPoint& point) const {
