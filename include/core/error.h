@@ -21,7 +21,7 @@ public:
 };
 
 // The candidate that is spelled most like word, or empty when none is near enough to be meant: at most a third of its
-// letters changed, added, left out or swapped with a neighbour.
+// letters, and at least one, changed, added, left out or swapped with a neighbour.
 std::string nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 // " (did you mean "gold"?)", or nothing.

@@ -19,6 +19,10 @@ struct Frame {
         y = {b, sign + normal.y * normal.y * a, -normal.y};
     }
 
+    // With the x axis along the tangent, which need be neither of unit length nor quite across the normal.
+    Frame(const Vec3<Real>& normal, const Vec3<Real>& tangent)
+        : x(glm::normalize(tangent - normal * glm::dot(normal, tangent))), y(glm::cross(normal, x)), z(normal) {}
+
     Vec3<Real> toLocal(const Vec3<Real>& world) const {
         return {glm::dot(world, x), glm::dot(world, y), glm::dot(world, z)};
     }

@@ -4,6 +4,7 @@
 
 #include "core/vec.h"
 
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -35,10 +36,14 @@ inline constexpr Range unitInterval{.least = 0, .most = 1};
 // One of a few words; it points at the row's own text.
 using Word = std::string_view;
 
+// Four weights that sum to 1.
+using Weights = std::array<float, 4>;
+
 // Where in Owner an option is kept, and so its type. Owner's default value is the option's.
 template<class Owner>
-using OptionMember = std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*,
-                                  std::optional<int> Owner::*, Word Owner::*>;
+using OptionMember =
+    std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*, Vec2f Owner::*,
+                 std::optional<int> Owner::*, std::optional<Weights> Owner::*, Word Owner::*>;
 
 template<class Owner>
 struct OptionRow {
@@ -47,6 +52,7 @@ struct OptionRow {
     OptionMember<Owner> member = {};
     Range range = {};
     std::span<const Word> words = {};  // what an option of type Word may be
+    std::string_view form = {};  // how a list is written, e.g. {nu nv}; empty for a colour
     std::string_view unit = {};  // empty where there is none
     std::string_view defaultText = {};  // where the default is worked out; empty: as in Owner{}
     std::string_view help = {};
@@ -78,6 +84,15 @@ inline std::string optionText(Word value) {
 inline std::string optionText(const Rgbf& c) {
     return numberText(c.x) + " " + numberText(c.y) + " " + numberText(c.z);
 }
+inline std::string optionText(const Vec2f& v) {
+    return numberText(v.x) + " " + numberText(v.y);
+}
+inline std::string optionText(const std::optional<Weights>& value) {
+    std::string text;
+    if (value)
+        for (const float weight : *value) text += (text.empty() ? "" : " ") + numberText(weight);
+    return text;
+}
 inline std::string optionText(const std::optional<int>& value) {
     return value ? std::to_string(*value) : "";
 }
@@ -92,27 +107,32 @@ template<class Owner>
 std::string defaultText(const OptionRow<Owner>& row) {
     if (!row.defaultText.empty()) return std::string(row.defaultText);
     const std::string text = optionText(row, Owner{});
-    return std::holds_alternative<Rgbf Owner::*>(row.member) ? "{" + text + "}" : text;
+    const bool isList =
+        std::holds_alternative<Rgbf Owner::*>(row.member) || std::holds_alternative<Vec2f Owner::*>(row.member);
+    return isList ? "{" + text + "}" : text;
 }
 
-// on/off, integer, number, {r g b}, or the words it may be.
+// on/off, integer, number, {r g b} or another list, or the words it may be.
 template<class Owner>
 std::string typeText(const OptionRow<Owner>& row) {
     struct Name {
         std::span<const Word> words;
+        std::string_view form;
         std::string operator()(bool Owner::*) const { return "on/off"; }
         std::string operator()(int Owner::*) const { return "integer"; }
         std::string operator()(std::optional<int> Owner::*) const { return "integer"; }
         std::string operator()(std::uint64_t Owner::*) const { return "integer"; }
         std::string operator()(double Owner::*) const { return "number"; }
-        std::string operator()(Rgbf Owner::*) const { return "{r g b}"; }
+        std::string operator()(Rgbf Owner::*) const { return form.empty() ? "{r g b}" : std::string(form); }
+        std::string operator()(Vec2f Owner::*) const { return std::string(form); }
+        std::string operator()(std::optional<Weights> Owner::*) const { return std::string(form); }
         std::string operator()(Word Owner::*) const {
             std::string text;
             for (const Word word : words) text += (text.empty() ? "" : "|") + std::string(word);
             return text;
         }
     };
-    return std::visit(Name{row.words}, row.member);
+    return std::visit(Name{row.words, row.form}, row.member);
 }
 
 }  // namespace core

@@ -46,6 +46,38 @@ Real uniformHemispherePdfW(const Vec3<Real>& direction) {
     return select(direction.z >= Real(0), Real(1 / (2 * pi)), Real(0));
 }
 
+// Uniform over the unit disc: the square root makes up for rings that grow with their radius.
+template<class Real>
+Vec2<Real> squareToUniformDisc(const Vec2<Real>& u) {
+    const Real radius = sqrt(u.x);
+    const SinCos<Real> phi = sinCosTurns(u.y);
+    return {radius * phi.cos, radius * phi.sin};
+}
+
+template<class Real>
+Real uniformDiscPdfA(const Vec2<Real>& place) {
+    return select(place.x * place.x + place.y * place.y <= Real(1), Real(1 / pi), Real(0));
+}
+
+// A cone is told by its height: 1 - the cosine of its half angle, 2 sin^2 of half of that, which keeps its digits in
+// narrow cones. Uniform over the directions in it, about the z axis.
+template<class Real>
+Vec3<Real> squareToUniformCone(const Vec2<Real>& u, Real height) {
+    const Real depth = u.x * height;
+    const Real radius = sqrt(max(Real(0), depth * (Real(2) - depth)));
+    const SinCos<Real> phi = sinCosTurns(u.y);
+    return {radius * phi.cos, radius * phi.sin, Real(1) - depth};
+}
+
+// axis, direction: of unit length. The square of the chord between them is 2 (1 - cos). The cone is a hair wider than
+// what is drawn, for what rounding may add.
+template<class Real>
+Real uniformConePdfW(const Vec3<Real>& axis, const Vec3<Real>& direction, Real height) {
+    const Vec3<Real> chord = direction - axis;
+    const Mask<Real> inside = glm::dot(chord, chord) <= Real(2) * height * Real(1 + 0x1p-16f) + Real(0x1p-44f);
+    return select(inside, Real(1 / (2 * pi)) / height, Real(0));
+}
+
 // A density over solid angle from one over area: the area dA at the end of a line of the given length, with
 // cosine to its normal, fills the solid angle dA * cosine / distance^2.
 template<class Real>

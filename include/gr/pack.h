@@ -11,7 +11,7 @@
 
 namespace gr {
 
-// As many lanes as the least processor has: SSE2 is part of every x86-64.
+// As many lanes as the least processor has.
 using PackLanes = xsimd::batch<float>;
 inline constexpr int packWidth = 4;
 static_assert(PackLanes::size == packWidth);

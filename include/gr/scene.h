@@ -38,14 +38,22 @@ struct Instance {
 struct SurfacePoint {
     core::Vec3f position;
     core::Vec3f normal;  // unit length, outward
+    core::Vec3f objectNormal;  // in the object's own space, not of unit length
     float error;  // see Instance
+    const Instance* instance;
     const materials::Material* material;
     const AreaLight* light;  // null for what does not emit
 
     // Where a ray starts or ends that leaves the surface on the side of the normal (or, negated, on the other): so far
     // off it that it cannot meet it again, whatever was rounded.
     core::Vec3f offset(const core::Vec3f& side) const { return offsetFrom(position, side, error); }
-    static core::Vec3f offsetFrom(const core::Vec3f& position, const core::Vec3f& side, float error);
+    // The u axis of materials that have one, not of unit length: to the east, y being the object's own axis, and along
+    // its x axis where the normal is that axis. It is the same all over a flat face, and has no seam on a round one.
+    core::Vec3f tangent() const;
+    // The plane moves by the support of the error's cube in the direction of `side`.
+    static core::Vec3f offsetFrom(const core::Vec3f& position, const core::Vec3f& side, float error) {
+        return position + side * (error * (std::abs(side.x) + std::abs(side.y) + std::abs(side.z)));
+    }
 };
 
 class Scene {

@@ -58,6 +58,9 @@ inline Tcl_Obj* textObject(std::string_view text) {
     return Tcl_NewStringObj(text.data(), static_cast<int>(text.size()));
 }
 
+// Prints a warning with the place in the script to standard error.
+void warn(Call& call, const std::string& text);
+
 // "wrong # args", for word counts that lie between a row's least and most but are none of the command's.
 [[noreturn]] void throwWrongWords();
 

@@ -55,6 +55,24 @@ inline void readOption(core::Rgbf& value, Tcl_Obj* word, std::string_view what, 
                        std::span<const core::Word>) {
     value = core::Rgbf(vectorFrom(word, what, range));
 }
+inline void readOption(core::Vec2f& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    std::array<double, 2> numbers;
+    numbersFrom(word, what, range, numbers);
+    value = {static_cast<float>(numbers[0]), static_cast<float>(numbers[1])};
+}
+// Scaled to sum to 1.
+inline void readOption(std::optional<core::Weights>& value, Tcl_Obj* word, std::string_view what,
+                       const core::Range& range, std::span<const core::Word>) {
+    std::array<double, 4> numbers;
+    numbersFrom(word, what, range, numbers);
+    const double largest = *std::max_element(numbers.begin(), numbers.end());
+    if (largest == 0) throwBadValue(what, "weights that are not all 0", word);
+    double sum = 0;
+    for (const double number : numbers) sum += number / largest;
+    value.emplace();
+    for (std::size_t i = 0; i < value->size(); ++i) (*value)[i] = static_cast<float>(numbers[i] / largest / sum);
+}
 inline void readOption(core::Word& value, Tcl_Obj* word, std::string_view what, const core::Range&,
                        std::span<const core::Word> words) {
     const auto found = std::find(words.begin(), words.end(), textOf(word));

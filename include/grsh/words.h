@@ -39,6 +39,8 @@ std::span<Tcl_Obj* const> elementsOf(Tcl_Obj* object, std::string_view what, std
 double numberFrom(Tcl_Obj* object, std::string_view what, const core::Range& range);
 // Whole numbers within int; the range must say so too.
 int integerFrom(Tcl_Obj* object, std::string_view what, const core::Range& range);
+// A list of as many numbers, two to four, as there is room for in `numbers`.
+void numbersFrom(Tcl_Obj* object, std::string_view what, const core::Range& range, std::span<double> numbers);
 glm::dvec3 vectorFrom(Tcl_Obj* object, std::string_view what, const core::Range& range);
 // The word in quotes for a message: one line, its white space as single blanks, cut where it is long.
 std::string quoted(std::string_view word);

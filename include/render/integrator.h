@@ -12,12 +12,16 @@ struct RayCounts {
     std::uint64_t camera = 0;
     std::uint64_t shadow = 0;
     std::uint64_t diffuse = 0;
+    std::uint64_t reflective = 0;  // mirrored, sharply or not
+    std::uint64_t refractive = 0;
 
-    std::uint64_t total() const { return camera + shadow + diffuse; }
+    std::uint64_t total() const { return camera + shadow + diffuse + reflective + refractive; }
     RayCounts& operator+=(const RayCounts& other) {
         camera += other.camera;
         shadow += other.shadow;
         diffuse += other.diffuse;
+        reflective += other.reflective;
+        refractive += other.refractive;
         return *this;
     }
 };
@@ -32,7 +36,9 @@ public:
 
 // The report's own (section 5.2): plain, scalar, the oracle. Scene and accelerator must outlive it.
 // ambient: times R_d, it is added where a path ends because it holds all the surface points it may.
+// eye: where camera rays start, or near there; what it is inside of is found once.
 std::unique_ptr<Integrator> makeReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
-                                                 const RenderSettings& settings, const core::Rgbf& ambient);
+                                                 const RenderSettings& settings, const core::Rgbf& ambient,
+                                                 const core::Vec3f& eye);
 
 }  // namespace render

@@ -10,6 +10,9 @@ struct RenderSettings {
     bool globalIllumination = false;
     bool antialiasing = false;
     int pathLength = 2;
+    bool depthOfField = false;
+    double focalDistance = 1;  // along the view
+    double aperture = 0.1;  // the lens' radius
     std::optional<int> startLine;  // 0 is the top; both lines are rendered
     std::optional<int> stopLine;
     int samplesPerPixel = 16;

@@ -55,13 +55,14 @@ public:
 
     bool occluded(const core::Rayf& ray) const override {
         const PackLanes never(core::infinity);
-        bool isMet = false;
+        // Bodies first: they stand in the way more often than walls, which are meshes.
+        const core::Ray<PackLanes> lanesRay = broadcast(ray);
+        bool isMet = forEachPack([&](const auto& pack) { return xsimd::any(pack.intersect(lanesRay) < never); });
+        if (isMet) return true;
         const PackRay packRay(ray);
         for (std::size_t i = 0; i < smallMeshes_.size() && !isMet; ++i)
             smallMeshes_[i].triangles.intersect(
                 packRay, [&](const TriangleHit<PackLanes>& found) { isMet = xsimd::any(found.t < never); });
-        const core::Ray<PackLanes> lanesRay = broadcast(ray);
-        isMet = isMet || forEachPack([&](const auto& pack) { return xsimd::any(pack.intersect(lanesRay) < never); });
         for (std::size_t i = 0; i < polyhedra_.size() && !isMet; ++i)
             isMet = polyhedronOf(polyhedra_[i]).occluded(PackRay(scene_.instances[polyhedra_[i]].toObject(ray)));
         return isMet;

@@ -2,9 +2,11 @@
 
 namespace gr {
 
-core::Vec3f SurfacePoint::offsetFrom(const core::Vec3f& position, const core::Vec3f& side, float error) {
-    // The plane moves by the support of the error's cube in the direction of `side`.
-    return position + side * (error * (std::abs(side.x) + std::abs(side.y) + std::abs(side.z)));
+core::Vec3f SurfacePoint::tangent() const {
+    const core::Vec3f& n = objectNormal;
+    constexpr float beyondRounding = 0x1p-17f;
+    const bool isPole = std::abs(n.x) + std::abs(n.z) <= beyondRounding * std::abs(n.y);
+    return instance->worldFromObject.vector(isPole ? core::Vec3f(1, 0, 0) : core::Vec3f(n.z, 0, -n.x));
 }
 
 namespace {
@@ -29,9 +31,11 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
 
     // No coordinate of the step off the surface is larger than (1 + sqrt(3)) / 2 times the error, and rounding adds the
     // error once more: 2.4 in all, along each of the world's axes, and so on to the object's.
+    const bool isInPlace = instance.isInPlace;
     const core::Transform& map = instance.objectFromWorld;
-    const core::Vec3f margin = (glm::abs(map.x) + glm::abs(map.y) + glm::abs(map.z)) * (2.4f * surface.error);
-    const core::Rayf objectRay = instance.toObject(ray);
+    const core::Vec3f unit = isInPlace ? core::Vec3f(1) : glm::abs(map.x) + glm::abs(map.y) + glm::abs(map.z);
+    const core::Vec3f margin = unit * (2.4f * surface.error);
+    const core::Rayf objectRay = isInPlace ? ray : instance.toObject(ray);
     const auto inObjectSpace = [&](const auto& shape) {
         if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, const Polyhedron*>)
             return shape->surfaceAt(objectRay, hit, margin);
@@ -40,8 +44,11 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     };
     const ShapePoint point = std::visit(inObjectSpace, instance.shape);
 
-    surface.position = instance.worldFromObject.point(point.position);
-    surface.normal = facing(glm::normalize(map.transposed(point.normal)), ray.direction, point.front);
+    surface.position = isInPlace ? point.position : instance.worldFromObject.point(point.position);
+    const core::Vec3f normal = isInPlace ? point.normal : map.transposed(point.normal);
+    surface.normal = facing(glm::normalize(normal), ray.direction, point.front);
+    surface.objectNormal = point.normal;
+    surface.instance = &instance;
     surface.material = &materials[instance.material];
     surface.light = instance.light == Instance::notALight ? nullptr : &areaLights[instance.light];
     return surface;

@@ -1,4 +1,5 @@
 #include "grsh/commands.h"
+#include "grsh/error_place.h"
 
 #include <new>
 
@@ -89,6 +90,13 @@ void deleteState(ClientData data, Tcl_Interp*) {
 }
 
 }  // namespace
+
+void warn(Call& call, const std::string& text) {
+    const std::string where = place(call.interp);
+    const std::string line = (where.empty() ? "" : where + ": ") + "warning: " + text + "\n";
+    Tcl_Channel channel = Tcl_GetStdChannel(TCL_STDERR);
+    if (channel != nullptr) Tcl_WriteChars(channel, line.data(), static_cast<int>(line.size()));
+}
 
 void throwWrongWords() {
     throw WrongWords{};

@@ -30,17 +30,35 @@ materials::Material readTyped(Call& call) {
 
 // gr_material name {kd} {ks} exponent: the course's older form. Without specular reflection it is a diffuse material.
 materials::Material readOlderForm(Call& call) {
-    materials::Diffuse diffuse;
-    diffuse.reflectance = call.words.colour(1, "kd", core::unitInterval);
+    const core::Rgbf diffuse = call.words.colour(1, "kd", core::unitInterval);
     const core::Rgbf specular = call.words.colour(2, "ks", core::unitInterval);
-    call.words.number(3, "exponent", core::notNegative);
-    if (specular != core::Rgbf(0)) throwBadValue("ks", "black, {0 0 0}", call.words.object(2));
-    return diffuse;
+    const double exponent = call.words.number(3, "exponent", {.least = 0, .most = materials::Shirley::mostExponent});
+    if (specular == core::Rgbf(0)) return materials::Diffuse{.reflectance = diffuse};
+    return materials::Shirley{
+        .diffuse = diffuse, .specular = specular, .exponents = core::Vec2f(static_cast<float>(exponent))};
+}
+
+// Ways to go on that the material cannot take give black samples: asked for by mistake, most likely.
+void warnOfBlackSamples(Call& call, const materials::Material& material) {
+    constexpr std::array<std::string_view, 4> methods{"diffuse", "reflective", "refractive", "Shirley"};
+    std::visit(
+        [&]<class M>(const M& m) {
+            std::string black;
+            for (std::size_t i = 0; i < methods.size(); ++i)
+                if (m.sampling && (*m.sampling)[i] > 0 && !M::canSample[i])
+                    black += (black.empty() ? "" : " and ") + std::string(methods[i]);
+            if (!black.empty())
+                warn(call, "gr_material: " + quoted(call.words.text(0)) + " is " + std::string(M::typeName) + ": its " +
+                               black + " samples are black");
+        },
+        material);
 }
 
 Tcl_Obj* makeMaterial(Call& call) {
     const bool older = call.words.size() == 4 && call.words.listLength(1) != 1;
-    call.session.database.addMaterial(call.words.text(0), older ? readOlderForm(call) : readTyped(call));
+    const materials::Material material = older ? readOlderForm(call) : readTyped(call);
+    call.session.database.addMaterial(call.words.text(0), material);
+    warnOfBlackSamples(call, material);
     return nullptr;
 }
 

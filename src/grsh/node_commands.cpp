@@ -1,5 +1,4 @@
 #include "grsh/commands.h"
-#include "grsh/error_place.h"
 
 #include <array>
 
@@ -72,13 +71,6 @@ std::vector<std::vector<int>> readFaces(Call& call, std::size_t vertexCount) {
     }
     if (faces.empty()) throwBadValue("faces", "at least one {i j k ...}", call.words.object(3));
     return faces;
-}
-
-void warn(Call& call, const std::string& text) {
-    const std::string where = place(call.interp);
-    const std::string line = (where.empty() ? "" : where + ": ") + "warning: " + text + "\n";
-    Tcl_Channel channel = Tcl_GetStdChannel(TCL_STDERR);
-    if (channel != nullptr) Tcl_WriteChars(channel, line.data(), static_cast<int>(line.size()));
 }
 
 Tcl_Obj* makePolyhedron(Call& call) {

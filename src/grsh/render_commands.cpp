@@ -170,6 +170,8 @@ Tcl_Obj* report(Call& call, const render::RenderResult& result, double seconds, 
     put(rays, "camera", wide(result.rays.camera));
     put(rays, "shadow", wide(result.rays.shadow));
     put(rays, "diffuse", wide(result.rays.diffuse));
+    put(rays, "reflective", wide(result.rays.reflective));
+    put(rays, "refractive", wide(result.rays.refractive));
     Tcl_Obj* dict = Tcl_NewDictObj();
     put(dict, "file", call.words.object(1));
     put(dict, "seconds", Tcl_NewDoubleObj(seconds));
@@ -192,7 +194,8 @@ void printSummary(const RenderJob& job, const render::RenderResult& result, doub
 }
 
 render::RenderResult renderFilm(const RenderJob& job, const render::Integrator& integrator, render::Film& film) {
-    const render::Camera camera(job.eye, job.view, job.up, job.fieldOfView, job.width, job.height);
+    render::Camera camera(job.eye, job.view, job.up, job.fieldOfView, job.width, job.height);
+    if (job.settings.depthOfField) camera.setLens(job.settings.aperture, job.settings.focalDistance);
     render::Progress progress;
     const std::uint64_t samples = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.lines()) *
                                   static_cast<std::uint64_t>(job.settings.samplesPerPixel);
@@ -212,7 +215,8 @@ Tcl_Obj* renderCommand(Call& call) {
     // Render.
     const auto start = std::chrono::steady_clock::now();
     const auto accelerator = gr::makeNoAccelerator(scene);
-    const auto integrator = render::makeReportIntegrator(scene, *accelerator, job.settings, job.ambient);
+    const auto integrator =
+        render::makeReportIntegrator(scene, *accelerator, job.settings, job.ambient, core::Vec3f(job.eye));
     render::Film film(job.width, job.height, job.startLine(), job.lines());
     const render::RenderResult result = renderFilm(job, *integrator, film);
     if (!result.finished) throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");

@@ -80,22 +80,28 @@ int integerFrom(Tcl_Obj* object, std::string_view what, const core::Range& range
     return static_cast<int>(x);
 }
 
-glm::dvec3 vectorFrom(Tcl_Obj* object, std::string_view what, const core::Range& range) {
+void numbersFrom(Tcl_Obj* object, std::string_view what, const core::Range& range, std::span<double> numbers) {
     // Made only when it is needed: a scene may hold a million vectors.
     const auto refuse = [&] {
+        constexpr std::string_view counts[] = {"two", "three", "four"};
+        const std::string kind = std::string(counts[numbers.size() - 2]) + " finite numbers";
         const bool isBounded = !core::rangeText(range).empty();
-        throwBadValue(what, describe(isBounded ? "three finite numbers, each" : "three finite numbers", range), object);
+        throwBadValue(what, describe(isBounded ? kind + ", each" : kind, range), object);
     };
     int count = 0;
     Tcl_Obj** elements = nullptr;
-    if (Tcl_ListObjGetElements(nullptr, object, &count, &elements) != TCL_OK || count != 3) refuse();
-    glm::dvec3 v;
-    for (int i = 0; i < 3; ++i) {
-        double x = 0;
-        if (Tcl_GetDoubleFromObj(nullptr, elements[i], &x) != TCL_OK || !range.contains(x)) refuse();
-        v[i] = x;
+    if (Tcl_ListObjGetElements(nullptr, object, &count, &elements) != TCL_OK) refuse();
+    if (static_cast<std::size_t>(count) != numbers.size()) refuse();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool isNumber = Tcl_GetDoubleFromObj(nullptr, elements[i], &numbers[i]) == TCL_OK;
+        if (!isNumber || !range.contains(numbers[i])) refuse();
     }
-    return v;
+}
+
+glm::dvec3 vectorFrom(Tcl_Obj* object, std::string_view what, const core::Range& range) {
+    std::array<double, 3> v;
+    numbersFrom(object, what, range, v);
+    return {v[0], v[1], v[2]};
 }
 
 std::string_view Words::text(std::size_t i) const {

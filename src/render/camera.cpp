@@ -17,4 +17,10 @@ Camera::Camera(const glm::dvec3& eye, const glm::dvec3& view, const glm::dvec3& 
     corner_ = forward + upward * halfHeight - right * (pixel * width / 2);
 }
 
+void Camera::setLens(double radius, double focalDistance) {
+    lensX_ = core::Vec3f(glm::normalize(glm::dvec3(right_)) * radius);
+    lensY_ = core::Vec3f(glm::normalize(glm::dvec3(down_)) * radius);
+    focalDistance_ = static_cast<float>(focalDistance);
+}
+
 }  // namespace render

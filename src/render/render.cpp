@@ -60,7 +60,8 @@ private:
             const core::Vec2f u = sampler.next2D();
             const core::Vec2f inPixel = settings_.antialiasing ? grid_.place(sample, u) : core::Vec2f(0.5f);
             const core::Vec2f place(static_cast<float>(x) + inPixel.x, static_cast<float>(y) + inPixel.y);
-            const core::Rgbf radiance = integrator_.radiance(camera_.ray(place), sampler, tally.rays);
+            const core::Rayf ray = camera_.hasLens() ? camera_.ray(place, sampler.next2D()) : camera_.ray(place);
+            const core::Rgbf radiance = integrator_.radiance(ray, sampler, tally.rays);
             if (core::isFinite(radiance)) {
                 sum += glm::dvec3(radiance);
                 ++kept;

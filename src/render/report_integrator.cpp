@@ -1,5 +1,8 @@
 #include "core/frame.h"
 #include "render/integrator.h"
+#include "render/media.h"
+
+#include <algorithm>
 
 namespace render {
 namespace {
@@ -7,78 +10,120 @@ namespace {
 using core::Rayf;
 using core::Rgbf;
 using core::Vec3f;
+using materials::BsdfSample;
+using materials::Dielectric;
 
-// A surface point as the path sees it: the normal is turned to where the path comes from, so that opaque surfaces
-// have two sides.
-struct ShadingPoint {
-    gr::SurfacePoint surface;
-    core::Frame<float> frame;
-    Vec3f wo;  // back along the path, in the frame
-
-    ShadingPoint(const gr::SurfacePoint& surface, const Vec3f& direction)
-        : surface(surface),
-          frame(glm::dot(direction, surface.normal) < 0 ? surface.normal : -surface.normal),
-          wo(frame.toLocal(-direction)) {}
-};
-
-Rgbf evalBsdf(const ShadingPoint& point, const Vec3f& wi) {
-    return std::visit([&](const auto& bsdf) { return bsdf.template eval<float>(point.wo, wi); },
-                      *point.surface.material);
+core::Frame<float> frameOf(const gr::SurfacePoint& surface, const Vec3f& normal) {
+    const bool isAnisotropic = std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, *surface.material);
+    return isAnisotropic ? core::Frame<float>(normal, surface.tangent()) : core::Frame<float>(normal);
 }
 
-materials::BsdfSample<float> sampleBsdf(const ShadingPoint& point, const core::Vec2f& u) {
-    return std::visit([&](const auto& bsdf) { return bsdf.template sample<float>(point.wo, u); },
-                      *point.surface.material);
+// A surface point as the path sees it: the normal is turned to where the path comes from.
+struct ShadingPoint {
+    gr::SurfacePoint surface;
+    bool fromOutside;
+    core::Frame<float> frame;
+    Vec3f wo;  // back along the path, in the frame
+    const Dielectric* dielectric;  // null for what is opaque: there both sides are alike
+
+    ShadingPoint(const gr::Scene& scene, const Rayf& ray, const gr::Hit& hit)
+        : surface(scene.surfaceAt(ray, hit)),
+          fromOutside(glm::dot(ray.direction, surface.normal) < 0),
+          frame(frameOf(surface, fromOutside ? surface.normal : -surface.normal)),
+          wo(frame.toLocal(-ray.direction)),
+          dielectric(std::get_if<Dielectric>(surface.material)) {}
+
+    Rgbf eval(const Vec3f& wi) const {
+        return std::visit([&](const auto& bsdf) { return bsdf.template eval<float>(wo, wi); }, *surface.material);
+    }
+    // One of the material's ways to go on, and a direction that it takes.
+    BsdfSample<float> sample(Sampler& sampler, const Media& media) const {
+        const float method = sampler.next1D();
+        const core::Vec2f place = sampler.next2D();
+        const float indexBeyond =
+            dielectric == nullptr ? 1 : media.indexBeyond(*dielectric, fromOutside) / media.index();
+        const auto draw = [&](const auto& bsdf) {
+            return bsdf.template sample<float>(wo, {method, place}, indexBeyond);
+        };
+        return std::visit(draw, *surface.material);
+    }
+    // The ray that goes on in direction wi of the frame.
+    Rayf rayTowards(const Vec3f& wi) const {
+        return {surface.offset(wi.z < 0 ? -frame.z : frame.z), frame.toWorld(wi)};
+    }
+    Rgbf ambientReflectance() const {
+        return std::visit([](const auto& bsdf) { return bsdf.ambientReflectance(); }, *surface.material);
+    }
+};
+
+void count(RayCounts& rays, const BsdfSample<float>& sample) {
+    ++(sample.wi.z < 0 ? rays.refractive : sample.isDiffuse ? rays.diffuse : rays.reflective);
 }
 
 class ReportIntegrator final : public Integrator {
 public:
     ReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator, const RenderSettings& settings,
-                     const Rgbf& ambient)
+                     const Rgbf& ambient, const Vec3f& eye)
         : scene_(scene),
           accelerator_(accelerator),
           pathLength_(settings.globalIllumination ? settings.pathLength : 1),
           lightSamples_(settings.samplesPerLightSource),
           background_(settings.background),
-          ambient_(ambient) {}
+          ambient_(ambient),
+          eye_(eye),
+          hasDielectrics_(std::any_of(scene.materials.begin(), scene.materials.end(),
+                                      [](const auto& m) { return std::holds_alternative<Dielectric>(m); })) {
+        if (hasDielectrics_) eyeMedia_ = mediaAt(eye, scene, accelerator);
+    }
 
     Rgbf radiance(const Rayf& cameraRay, Sampler& sampler, RayCounts& rays) const override {
         Rgbf radiance(0);
         Rgbf throughput(1);  // what is left of light that comes along `ray`, when it arrives at the eye
         Rayf ray = cameraRay;
+        Media media = mediaWhere(cameraRay.origin, rays);
         bool countsEmission = true;  // false after a bounce for which lights were sampled already
         ++rays.camera;
         for (int surfacePoints = 1;; ++surfacePoints) {
             // Find the nearest surface; a path that leaves the scene ends in the background.
             const std::optional<gr::Hit> hit = accelerator_.intersect(ray);
-            if (!hit) return radiance + throughput * background_;
-            const gr::SurfacePoint surface = scene_.surfaceAt(ray, *hit);
+            if (!hit) return radiance + throughput * media.transmittance(core::infinity) * background_;
+            const ShadingPoint point(scene_, ray, *hit);
+
+            // On the way there a medium absorbs.
+            if (point.dielectric != nullptr && !point.fromOutside) media.meetFromInside(*point.dielectric);
+            throughput *= media.transmittance(hit->t);
 
             // A path ends at a light. Its back is dark.
-            if (surface.light != nullptr) {
-                const bool emits = glm::dot(ray.direction, surface.normal) < 0;
-                if (emits && countsEmission) radiance += throughput * surface.light->radiance;
+            if (const gr::AreaLight* light = point.surface.light) {
+                if (point.fromOutside && countsEmission) radiance += throughput * light->radiance;
                 return radiance;
             }
 
             // Add the light that comes straight from the lights.
-            const ShadingPoint point(surface, ray.direction);
-            radiance += throughput * directLight(point, sampler, rays);
-            if (surfacePoints == pathLength_) return radiance + throughput * ambientLight(point);
+            radiance += throughput * directLight(point, media, sampler, rays);
+            if (surfacePoints == pathLength_) return radiance + throughput * ambient_ * point.ambientReflectance();
 
             // Go on in a direction drawn by the material.
-            const core::Vec2f u = sampler.next2D();
-            const materials::BsdfSample<float> next = sampleBsdf(point, u);
+            const BsdfSample<float> next = point.sample(sampler, media);
             if (!next.valid) return radiance;
             throughput *= next.weight;
-            countsEmission = next.isDelta;
-            ray = {surface.offset(point.frame.z), point.frame.toWorld(next.wi)};
-            ++rays.diffuse;
+            if (throughput == Rgbf(0)) return radiance;
+            countsEmission = !next.isLit;
+            if (next.wi.z < 0) media.cross(*point.dielectric, point.fromOutside);
+            ray = point.rayTowards(next.wi);
+            count(rays, next);
         }
     }
 
 private:
-    Rgbf directLight(const ShadingPoint& point, Sampler& sampler, RayCounts& rays) const {
+    Media mediaWhere(const Vec3f& origin, RayCounts& rays) const {
+        Media media = eyeMedia_;
+        if (hasDielectrics_ && origin != eye_)
+            rays.camera += static_cast<std::uint64_t>(goTo(media, eye_, origin, scene_, accelerator_));
+        return media;
+    }
+
+    Rgbf directLight(const ShadingPoint& point, const Media& media, Sampler& sampler, RayCounts& rays) const {
         Rgbf sum(0);
         const Vec3f start = point.surface.offset(point.frame.z);
         for (const gr::AreaLight& light : scene_.areaLights) {
@@ -87,30 +132,25 @@ private:
             for (int i = 0; i < lightSamples_; ++i) {
                 const core::Vec2f u = sampler.next2D();
                 const gr::LightSample<float> sample = light.sample<float>(point.surface.position, u);
-                lightSum += reflected(point, sample, scene_.shadowRay(start, light, sample.target), rays);
+                lightSum += reflected(point, media, sample, scene_.shadowRay(start, light, sample.target), rays);
             }
             sum += lightSum / static_cast<float>(lightSamples_);
         }
         for (const gr::PointLight& light : scene_.pointLights) {
             const gr::LightSample<float> sample = light.sample<float>(point.surface.position);
-            sum += reflected(point, sample, {start, sample.target - start, 1.f}, rays);
+            sum += reflected(point, media, sample, {start, sample.target - start, 1.f}, rays);
         }
         return sum;
     }
 
     // What the surface reflects of a light sample towards the eye, black where something stands between.
-    Rgbf reflected(const ShadingPoint& point, const gr::LightSample<float>& sample, const Rayf& shadowRay,
-                   RayCounts& rays) const {
-        const Vec3f wi = point.frame.toLocal(sample.wi);
-        const Rgbf light = evalBsdf(point, wi) * std::abs(wi.z) * sample.weight;
+    Rgbf reflected(const ShadingPoint& point, const Media& media, const gr::LightSample<float>& sample,
+                   const Rayf& shadowRay, RayCounts& rays) const {
+        const Rgbf light = point.eval(point.frame.toLocal(sample.wi)) * sample.weight;
         if (light == Rgbf(0)) return light;
         ++rays.shadow;
-        return accelerator_.occluded(shadowRay) ? Rgbf(0) : light;
-    }
-
-    Rgbf ambientLight(const ShadingPoint& point) const {
-        return ambient_ *
-               std::visit([](const auto& bsdf) { return bsdf.ambientReflectance(); }, *point.surface.material);
+        if (accelerator_.occluded(shadowRay)) return Rgbf(0);
+        return light * media.transmittance(glm::length(shadowRay.direction));
     }
 
     const gr::Scene& scene_;
@@ -119,13 +159,17 @@ private:
     int lightSamples_;
     Rgbf background_;
     Rgbf ambient_;
+    Vec3f eye_;
+    bool hasDielectrics_;
+    Media eyeMedia_;  // what the eye is inside of
 };
 
 }  // namespace
 
 std::unique_ptr<Integrator> makeReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
-                                                 const RenderSettings& settings, const Rgbf& ambient) {
-    return std::make_unique<ReportIntegrator>(scene, accelerator, settings, ambient);
+                                                 const RenderSettings& settings, const Rgbf& ambient,
+                                                 const Vec3f& eye) {
+    return std::make_unique<ReportIntegrator>(scene, accelerator, settings, ambient, eye);
 }
 
 }  // namespace render

@@ -12,7 +12,7 @@ constexpr core::Range line{.least = 0, .most = 999999};
 
 using S = RenderSettings;
 
-constexpr std::array<core::OptionRow<S>, 14> rows{{
+constexpr std::array<core::OptionRow<S>, 17> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
      .words = accelerators,
@@ -29,6 +29,16 @@ constexpr std::array<core::OptionRow<S>, 14> rows{{
      .range = atLeastOne,
      .unit = "surface points",
      .help = "the most surface points on a path; 1 is direct light only"},
+    {.name = "depthoffield", .member = &S::depthOfField, .help = "a thin lens, or a pinhole"},
+    {.name = "focaldistance",
+     .member = &S::focalDistance,
+     .range = {.least = 0, .most = 1e18, .leastIncluded = false},
+     .help = "distance of the plane in focus, along the view direction"},
+    {.name = "aperture",
+     .alias = "aperature",
+     .member = &S::aperture,
+     .range = {.least = 0, .most = 1e18},
+     .help = "radius of the lens; 0 is a pinhole"},
     {.name = "startline",
      .member = &S::startLine,
      .range = line,

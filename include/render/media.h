@@ -1,0 +1,42 @@
+// What a path goes through: air, or the dielectrics that it is inside of.
+#pragma once
+
+#include "gr/scene.h"
+
+#include <vector>
+
+namespace render {
+
+// Dielectrics may overlap and lie in one another: the one entered last counts. A dielectric is told from others by its
+// address and must outlive this.
+class Media {
+public:
+    // The index of refraction here; air's is 1.
+    float index() const { return inside_.empty() ? 1.f : indexOf(inside_.back()); }
+    // And beyond a surface of that material. enters: whether the way goes against its outward normal.
+    float indexBeyond(const materials::Dielectric& material, bool enters) const;
+
+    void cross(const materials::Dielectric& material, bool enters);
+    // A surface met from behind says what the way to it went through, also where its shape is open and no way in was
+    // seen.
+    void meetFromInside(const materials::Dielectric& material);
+
+    // Beer's law: what is left of light after a way of this length.
+    core::Rgbf transmittance(float length) const {
+        return inside_.empty() ? core::Rgbf(1) : inside_.back()->transmittance(length);
+    }
+
+private:
+    static float indexOf(const materials::Dielectric* material) { return static_cast<float>(material->index); }
+
+    std::vector<const materials::Dielectric*> inside_;  // in the order in which they were entered
+};
+
+// What a point is inside of: found by a ray from there to where nothing is any more.
+Media mediaAt(const core::Vec3f& point, const gr::Scene& scene, const gr::Accelerator& accelerator);
+
+// Takes the straight way from one point to the other. Returns how many rays that took.
+int goTo(Media& media, const core::Vec3f& from, const core::Vec3f& to, const gr::Scene& scene,
+         const gr::Accelerator& accelerator);
+
+}  // namespace render
