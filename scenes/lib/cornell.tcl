@@ -50,6 +50,13 @@ namespace eval cornell {
         return $block
     }
 
+    # A ball on the floor.
+    proc ball {parent name x z radius material} {
+        set ball [gr_sphere $parent $name [list $x $radius $z] $radius]
+        gr_surfaceproperty $ball $material
+        return $ball
+    }
+
     # Renders everything, a square picture, from where the original is photographed.
     proc render {file size args} {
         gr_render : $file $size $size {278 278 -800} {0 0 1} {0 1 0} 38 {*}$args
