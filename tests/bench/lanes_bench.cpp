@@ -32,8 +32,8 @@ std::vector<core::Ray<Real>> makeRays() {
 
 // Reports the time for one lane: cpu_time / (items per iteration).
 template<class Real>
-void perItem(benchmark::State& state) {
-    const double items = 1024.0 * core::RealTraits<Real>::lanes;
+void perItem(benchmark::State& state, int perIteration = 1024) {
+    const double items = perIteration * core::RealTraits<Real>::lanes;
     state.counters["per_item"] =
         benchmark::Counter(items, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
@@ -76,33 +76,55 @@ void sampleLight(benchmark::State& state) {
     perItem<Real>(state);
 }
 
+// Where a path comes from and goes on to, above the surface; half of the latter are near the mirror's direction.
+template<class Real>
+struct Directions {
+    Vec3<Real> wo, wi;
+    materials::BsdfDraw<Real> draw;
+    Real indexBeyond;
+};
+
+// As many for each width, so that both have as much to read; enough that no branch is learnt by heart.
+constexpr int directionCount = 4096;
+
+template<class Real>
+std::vector<Directions<Real>> makeDirections() {
+    Random<Real> random(2);
+    std::vector<Directions<Real>> all;
+    for (int i = 0; i < directionCount / core::RealTraits<Real>::lanes; ++i) {
+        const auto place = [&] {
+            const Real u = random.next();
+            return core::Vec2<Real>(u, random.next());
+        };
+        const auto above = [&] { return core::squareToUniformHemisphere(place()); };
+        const Vec3<Real> wo = above(), anywhere = above(), nearby = materials::mirrored(wo) + above() * Real(0.2f);
+        const Vec3<Real> wi = core::select(random.next() < Real(0.5f), glm::normalize(nearby), anywhere);
+        const Real method = random.next();
+        const Real indexBeyond = core::select(random.next() < Real(0.5f), Real(1.5f), Real(1 / 1.5f));
+        all.push_back({wo, wi, {method, place()}, indexBeyond});
+    }
+    return all;
+}
+
 template<class Real, class Material>
 void sampleMaterial(benchmark::State& state) {
-    Random<Real> random(2);
-    std::vector<core::Vec2<Real>> places;
-    for (int i = 0; i < 1024; ++i) {
-        const Real x = random.next();
-        const Real y = random.next();
-        places.emplace_back(x, y);
-    }
+    const auto directions = makeDirections<Real>();
     const Material material{};
-    const Vec3<Real> wo(Real(0.6f), Real(0), Real(0.8f));
     for (auto _ : state)
-        for (const auto& u : places) benchmark::DoNotOptimize(material.sample(wo, u));
-    perItem<Real>(state);
+        for (const auto& d : directions) benchmark::DoNotOptimize(material.sample(d.wo, d.draw, d.indexBeyond));
+    perItem<Real>(state, static_cast<int>(directions.size()));
 }
 
 template<class Real, class Material>
 void evalMaterial(benchmark::State& state) {
-    const auto rays = makeRays<Real>();
+    const auto directions = makeDirections<Real>();
     const Material material{};
-    const Vec3<Real> wo(Real(0.6f), Real(0), Real(0.8f));
     for (auto _ : state)
-        for (const auto& ray : rays) {
-            benchmark::DoNotOptimize(material.eval(wo, ray.direction));
-            benchmark::DoNotOptimize(material.pdfW(wo, ray.direction));
+        for (const auto& d : directions) {
+            benchmark::DoNotOptimize(material.eval(d.wo, d.wi));
+            benchmark::DoNotOptimize(material.pdfW(d.wo, d.wi));
         }
-    perItem<Real>(state);
+    perItem<Real>(state, static_cast<int>(directions.size()));
 }
 
 template<class Real>

@@ -10,7 +10,7 @@ namespace {
 // A Cornell box like that of scenes/cornell1.gr: walls of polygons, two blocks, a lamp.
 void buildCornell(gr::Database& database) {
     const auto material = [&](const char* name, const core::Rgbf& colour) {
-        database.addMaterial(name, materials::Diffuse{colour});
+        database.addMaterial(name, materials::Diffuse{.reflectance = colour});
     };
     material("white", core::Rgbf(0.73f));
     material("red", {0.65f, 0.05f, 0.05f});
@@ -51,7 +51,8 @@ void cornellReport(benchmark::State& state) {
     settings.pathLength = 6;
     settings.samplesPerPixel = 4;
     settings.threads = static_cast<int>(state.range(0));
-    const auto integrator = render::makeReportIntegrator(scene, *accelerator, settings, core::Rgbf(0));
+    const auto integrator =
+        render::makeReportIntegrator(scene, *accelerator, settings, core::Rgbf(0), core::Vec3f(278, 278, -800));
     const render::Camera camera({278, 278, -800}, {0, 0, 1}, {0, 1, 0}, 38, 128, 128);
     std::uint64_t rays = 0;
     const std::atomic<bool> stop{false};

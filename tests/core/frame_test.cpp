@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 #include "support/test_random.h"
@@ -26,6 +27,10 @@ std::vector<Vec3f> normals() {
         normals.emplace_back(glm::normalize(v));
     }
     return normals;
+}
+
+std::string text(const Vec3f& v) {
+    return std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z);
 }
 
 // The frame's own rounding and that of the normal's length.
@@ -64,6 +69,36 @@ TEST(Frame, GoesThereAndBack) {
         ASSERT_NEAR(frame.toLocal(v).x, glm::dot(glm::dvec3(v), glm::dvec3(frame.x)), rounding);
         ASSERT_NEAR(frame.toLocal(v).y, glm::dot(glm::dvec3(v), glm::dvec3(frame.y)), rounding);
     }
+}
+
+// Tangents of any length, aslant too.
+TEST(FrameWithATangent, IsOrthonormalWithItsXAxisAlongTheTangent) {
+    support::TestRandom random(4);
+    for (const Vec3f& normal : normals()) {
+        glm::dvec3 tangent;
+        for (int axis = 0; axis < 3; ++axis) tangent[axis] = 2 * random.next() - 1;
+        const double size = std::pow(10, 8 * random.next() - 4);
+        tangent *= size;
+        const glm::dvec3 z(normal);
+        const glm::dvec3 across = tangent - z * glm::dot(z, tangent);
+        // What is left of a tangent along the normal is rounding.
+        if (glm::length(across) < 0.1 * glm::length(tangent)) continue;
+        const Frame<float> frame(normal, Vec3f(tangent));
+        ASSERT_EQ(frame.z, normal);
+        const glm::dvec3 x(frame.x), y(frame.y);
+        const double worst = std::max({std::abs(glm::dot(x, x) - 1), std::abs(glm::dot(y, y) - 1),
+                                       std::abs(glm::dot(x, y)), std::abs(glm::dot(x, z)), std::abs(glm::dot(y, z)),
+                                       glm::length(glm::cross(x, y) - z), glm::length(x - glm::normalize(across))});
+        ASSERT_LT(worst, 4 * rounding) << text(normal) << ", " << text(Vec3f(tangent));
+    }
+}
+
+TEST(FrameWithATangent, KeepsATangentAcrossTheNormal) {
+    const Frame<float> frame(Vec3f(0, 0, -1), Vec3f(0, 3, 0));
+    EXPECT_EQ(frame.x, Vec3f(0, 1, 0));
+    EXPECT_EQ(frame.y, Vec3f(1, 0, 0));
+    EXPECT_EQ(frame.toWorld(Vec3f(1, 2, 3)), Vec3f(2, 1, -3));
+    EXPECT_EQ(frame.toLocal(Vec3f(2, 1, -3)), Vec3f(1, 2, 3));
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ struct Owner {
     double size = 0.1;
     Rgbf colour{0.5f, 0.1f, 1};
     std::optional<int> line;
+    Vec2f pair{100, 0.1f};
+    std::optional<Weights> weights;
     Word word = colours[1];
 };
 
@@ -108,6 +110,9 @@ const Row seedRow{.name = "seed", .member = &Owner::seed};
 const Row sizeRow{.name = "size", .member = &Owner::size};
 const Row colourRow{.name = "colour", .member = &Owner::colour};
 const Row lineRow{.name = "line", .member = &Owner::line, .defaultText = "height-1"};
+const Row pairRow{.name = "pair", .member = &Owner::pair, .form = "{nu nv}"};
+const Row weightsRow{.name = "weights", .member = &Owner::weights, .form = "{a b c d}", .defaultText = "{1 0 0 0}"};
+const Row absorptionRow{.name = "absorption", .member = &Owner::colour, .form = "{ar ag ab}"};
 const Row wordRow{.name = "word", .member = &Owner::word, .words = colours};
 
 TEST(OptionText, WritesTheValueOfARow) {
@@ -118,12 +123,16 @@ TEST(OptionText, WritesTheValueOfARow) {
     EXPECT_EQ(optionText(sizeRow, owner), "0.1");
     EXPECT_EQ(optionText(colourRow, owner), "0.5 0.1 1");
     EXPECT_EQ(optionText(lineRow, owner), "");
+    EXPECT_EQ(optionText(pairRow, owner), "100 0.1");
+    EXPECT_EQ(optionText(weightsRow, owner), "");
     EXPECT_EQ(optionText(wordRow, owner), "green");
     owner.flag = false;
     owner.line = 12;
+    owner.weights = Weights{0.25f, 0, 1 / 3.f, 1e-6f};
     owner.word = colours[2];
     EXPECT_EQ(optionText(flagRow, owner), "off");
     EXPECT_EQ(optionText(lineRow, owner), "12");
+    EXPECT_EQ(optionText(weightsRow, owner), "0.25 0 0.33333334 1e-06");
     EXPECT_EQ(optionText(wordRow, owner), "blue");
 }
 
@@ -134,6 +143,9 @@ TEST(DefaultText, IsTheDefaultOfTheOwnerUnlessTheRowHasWordsForIt) {
     EXPECT_EQ(defaultText(sizeRow), "0.1");
     EXPECT_EQ(defaultText(colourRow), "{0.5 0.1 1}");
     EXPECT_EQ(defaultText(lineRow), "height-1");
+    EXPECT_EQ(defaultText(pairRow), "{100 0.1}");
+    EXPECT_EQ(defaultText(weightsRow), "{1 0 0 0}");
+    EXPECT_EQ(defaultText(absorptionRow), "{0.5 0.1 1}");
     EXPECT_EQ(defaultText(wordRow), "green");
 }
 
@@ -144,6 +156,9 @@ TEST(TypeText, SaysWhatAnOptionTakes) {
     EXPECT_EQ(typeText(sizeRow), "number");
     EXPECT_EQ(typeText(colourRow), "{r g b}");
     EXPECT_EQ(typeText(lineRow), "integer");
+    EXPECT_EQ(typeText(pairRow), "{nu nv}");
+    EXPECT_EQ(typeText(weightsRow), "{a b c d}");
+    EXPECT_EQ(typeText(absorptionRow), "{ar ag ab}");
     EXPECT_EQ(typeText(wordRow), "red|green|blue");
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/frame.h"
 #include "core/transform.h"
 #include "core/warp.h"
@@ -33,6 +34,21 @@ TEST(LanesWarp, HasTheSameHemisphere) {
     });
 }
 
+TEST(LanesWarp, HasTheSameDiscAndCone) {
+    Inputs inputs(19);
+    const auto points = makeInputs<3>(count, [&] {
+        const float u = inputs.unit(), v = inputs.unit();
+        return Numbers<3>{u, v, inputs.oneOf({1, 0.3f, 0.0038f, 1.5e-10f, 2})};
+    });
+    expectSame(points, []<class Real>(const std::array<Real, 3>& u) {
+        const core::Vec2<Real> place(u[0], u[1]), disc = core::squareToUniformDisc(place);
+        const core::Vec3<Real> d = core::squareToUniformCone(place, u[2]), axis(Real(0), Real(0), Real(1));
+        return std::array<Real, 8>{
+            disc.x, disc.y, core::uniformDiscPdfA(disc),          d.x,
+            d.y,    d.z,    core::uniformConePdfW(axis, d, u[2]), core::uniformConePdfW(axis, d, u[2] * Real(0.5f))};
+    });
+}
+
 TEST(LanesWarp, HasTheSamePdfs) {
     Inputs inputs(5);
     const auto numbers = makeInputs<3>(count, [&] {
@@ -59,6 +75,34 @@ TEST(LanesFrame, IsTheSame) {
         return std::array<Real, 15>{frame.x.x, frame.x.y, frame.x.z, frame.y.x, frame.y.y,
                                     frame.y.z, frame.z.x, frame.z.y, frame.z.z, local.x,
                                     local.y,   local.z,   world.x,   world.y,   world.z};
+    });
+}
+
+TEST(LanesFrame, IsTheSameWithATangent) {
+    Inputs inputs(17);
+    const auto vectors = makeInputs<6>(count, [&] {
+        const core::Vec3f normal = inputs.direction(), tangent = inputs.point(3);
+        return Numbers<6>{normal.x, normal.y, normal.z, tangent.x, tangent.y, tangent.z};
+    });
+    expectSame(vectors, []<class Real>(const std::array<Real, 6>& x) {
+        const core::Frame<Real> frame(vectorAt(x.data()), vectorAt(x.data() + 3));
+        return std::array<Real, 9>{frame.x.x, frame.x.y, frame.x.z, frame.y.x, frame.y.y,
+                                   frame.y.z, frame.z.x, frame.z.y, frame.z.z};
+    });
+}
+
+// Every size, both sides of where the logarithm's mantissa turns, and the ends of the exponential's range.
+TEST(LanesElementary, CalculatesTheSame) {
+    Inputs inputs(18);
+    const auto numbers = makeInputs<2>(count, [&] {
+        const float whole = std::trunc(inputs.uniform(-126, 128)), mantissa = inputs.uniform(1, 2);
+        const float turning = inputs.oneOf({0.70710671f, 0.70710677f, 0.70710683f, 1, 0.99999994f});
+        const float ends = inputs.oneOf({0, -0.f, -87, -87.000008f, -86.99999f, 88, -1e30f, -core::infinity, 1e-30f});
+        return Numbers<2>{std::ldexp(inputs.chance(0.2) ? turning : mantissa, static_cast<int>(whole)),
+                          inputs.chance(0.1) ? ends : inputs.uniform(-90, 88)};
+    });
+    expectSame(numbers, []<class Real>(const std::array<Real, 2>& x) {
+        return std::array<Real, 3>{core::log(x[0]), core::exp(x[1]), core::expm1(x[1])};
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "materials/parameter_sets.h"
@@ -37,7 +38,11 @@ struct IsWithin {
     bool operator()(const core::Rgbf& c) const {
         return range.contains(c.x) && range.contains(c.y) && range.contains(c.z);
     }
+    bool operator()(const core::Vec2f& v) const { return range.contains(v.x) && range.contains(v.y); }
     bool operator()(const std::optional<int>& x) const { return !x || range.contains(*x); }
+    bool operator()(const std::optional<core::Weights>& weights) const {
+        return !weights || std::all_of(weights->begin(), weights->end(), [&](float w) { return range.contains(w); });
+    }
     bool operator()(core::Word) const { return true; }
 };
 
@@ -49,7 +54,7 @@ TYPED_TEST(MaterialOptions, HaveNamesHelpAndDefaultsWithinTheirRange) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name << " is there twice";
         EXPECT_FALSE(row.help.empty()) << row.name;
         EXPECT_NE(core::typeText(row), "") << row.name;
-        const TypeParam defaults;
+        static const TypeParam defaults;
         const auto isWithin = [&](auto member) { return IsWithin{row.range}(defaults.*member); };
         EXPECT_TRUE(std::visit(isWithin, row.member)) << row.name << ": " << core::defaultText(row);
     }
@@ -64,13 +69,25 @@ TYPED_TEST(MaterialOptions, HoldForTheTestsOwnParameters) {
     }
 }
 
-TEST(DiffuseOptions, AreTheReflectance) {
-    const auto rows = Diffuse::options();
-    ASSERT_EQ(rows.size(), 1u);
-    EXPECT_EQ(rows[0].name, "diffuse");
-    EXPECT_EQ(core::typeText(rows[0]), "{r g b}");
-    EXPECT_EQ(core::rangeText(rows[0].range), "0 to 1");
-    EXPECT_EQ(core::defaultText(rows[0]), "{0.5 0.5 0.5}");
+// The names that scenes are written with, and what they take.
+template<class M>
+std::vector<std::string> described() {
+    std::vector<std::string> texts;
+    for (const auto& row : M::options())
+        texts.push_back(std::string(row.name) + " " + core::typeText(row) + ", " + core::rangeText(row.range));
+    return texts;
+}
+
+TEST(MaterialOptions, AreThoseOfTheSceneLanguage) {
+    using Texts = std::vector<std::string>;
+    const std::string sampling = "sampling {a b c d}, at least 0";
+    const std::string perturbation = "perturbation number, greater than 0 and at most 90";
+    EXPECT_EQ(described<Diffuse>(), (Texts{"diffuse {r g b}, 0 to 1", sampling, perturbation}));
+    EXPECT_EQ(described<Shirley>(), (Texts{"diffuse {r g b}, 0 to 1", "specular {r g b}, 0 to 1",
+                                           "exp {nu nv}, 0 to 1000000", sampling, perturbation}));
+    EXPECT_EQ(described<Dielectric>(),
+              (Texts{"specular {r g b}, 0 to 1", "n number, greater than 0 and at most 1000000",
+                     "beers {ar ag ab}, 0 to 1e+18", sampling, "perturbation number, 0 to 90"}));
 }
 
 }  // namespace

@@ -23,6 +23,10 @@ gr_material brown diffuse diffuse {0.8 0.6 0.4}
 gr_box : room {-2 -2 -2} {4 4 12}
 gr_surfaceproperty :room brown
 gr_sphere : ball {0.5 -1 0} 0.9
+gr_material steel shirley diffuse {0.1 0.1 0.2} specular {0.6 0.5 0.4} exp {10 300} sampling {0.2 0.3 0 0.5}
+gr_surfaceproperty :ball steel
+gr_material bottle dielectric specular {0.2 0.2 0.2} beers {0.6 0.1 0.5} sampling {0 0.3 0.7 0} perturbation 2
+gr_surfaceproperty [gr_sphere : glass {-0.8 -1 1} 0.8] bottle
 gr_als_planar : lamp {9 8 7} {0 1.9 0} 1.5
 gr_light bulb {1 1 4} {0.5 0.5 1} {0 0 1}
 gr_light spare {0 0 0} {1 1 1} {1 0 0}
@@ -77,22 +81,35 @@ TEST_F(Program, MakesTheSameFileTwice) {
     EXPECT_NE(Png(folder / "other-seed.png").lines, Png(folder / "first.png").lines);
 }
 
+TEST_F(Program, LooksThroughALensOnlyWhereItIsAskedTo) {
+    run({"pinhole.png"});
+    run({"off.png", "aperture", "0.5", "focaldistance", "3"});
+    run({"closed.png", "depthoffield", "on", "aperture", "0", "focaldistance", "3"});
+    run({"lens.png", "depthoffield", "on", "aperture", "0.5", "focaldistance", "3"});
+    const auto pinhole = Png(folder / "pinhole.png").lines;
+    EXPECT_EQ(Png(folder / "off.png").lines, pinhole);
+    EXPECT_EQ(Png(folder / "closed.png").lines, pinhole);
+    EXPECT_NE(Png(folder / "lens.png").lines, pinhole);
+}
+
 TEST_F(Program, SaysInThePictureWhatMadeIt) {
     run({"a.png", "seed", "9223372036854775807", "samplesperpixel", "3", "exposure", "-0.5", "background",
          "0 0.25 1e-6", "threads", "2", "stopline", "12"});
     std::map<std::string, std::string> texts = Png(folder / "a.png").texts;
     EXPECT_THAT(texts["Software"], MatchesRegex("grsh [0-9]+[.][0-9]+[.][0-9]+"));
     texts.erase("Software");
-    EXPECT_THAT(texts, testing::UnorderedElementsAre(
-                           Pair("Scene", "scene.gr"), Pair("grsh:node", ":"), Pair("grsh:width", "30"),
-                           Pair("grsh:height", "20"), Pair("grsh:eye", "0 0 6"), Pair("grsh:view", "0 0.25 -2"),
-                           Pair("grsh:up", "0 1 0"), Pair("grsh:fov", "50"), Pair("grsh:ambient", "0.1 0.2 0.3"),
-                           Pair("grsh:lights", "bulb"), Pair("grsh:accelerator", "off"),
-                           Pair("grsh:globalillumination", "on"), Pair("grsh:antialiasing", "on"),
-                           Pair("grsh:pathlength", "3"), Pair("grsh:startline", "0"), Pair("grsh:stopline", "12"),
-                           Pair("grsh:samplesperpixel", "3"), Pair("grsh:samplesperlightsource", "2"),
-                           Pair("grsh:integrator", "report"), Pair("grsh:seed", "9223372036854775807"),
-                           Pair("grsh:background", "0 0.25 1e-06"), Pair("grsh:exposure", "-0.5")));
+    EXPECT_THAT(
+        texts,
+        testing::UnorderedElementsAre(
+            Pair("Scene", "scene.gr"), Pair("grsh:node", ":"), Pair("grsh:width", "30"), Pair("grsh:height", "20"),
+            Pair("grsh:eye", "0 0 6"), Pair("grsh:view", "0 0.25 -2"), Pair("grsh:up", "0 1 0"), Pair("grsh:fov", "50"),
+            Pair("grsh:ambient", "0.1 0.2 0.3"), Pair("grsh:lights", "bulb"), Pair("grsh:accelerator", "off"),
+            Pair("grsh:globalillumination", "on"), Pair("grsh:antialiasing", "on"), Pair("grsh:pathlength", "3"),
+            Pair("grsh:depthoffield", "off"), Pair("grsh:focaldistance", "1"), Pair("grsh:aperture", "0.1"),
+            Pair("grsh:startline", "0"), Pair("grsh:stopline", "12"), Pair("grsh:samplesperpixel", "3"),
+            Pair("grsh:samplesperlightsource", "2"), Pair("grsh:integrator", "report"),
+            Pair("grsh:seed", "9223372036854775807"), Pair("grsh:background", "0 0.25 1e-06"),
+            Pair("grsh:exposure", "-0.5")));
 }
 
 // Whatever options there are one day: each that changes the picture is in it, and no other.

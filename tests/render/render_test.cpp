@@ -13,14 +13,20 @@ constexpr int width = 37;  // no multiple of a tile
 constexpr int height = 29;
 const Camera camera({0, 0, 6}, {0.05, -0.1, -1}, {0, 1, 0}, 50, width, height);
 
+Camera lens(double radius) {
+    Camera lens = camera;
+    lens.setLens(radius, 5);
+    return lens;
+}
+
 struct Picture {
     std::vector<core::Rgbf> pixels;
     RenderResult result;
     std::uint64_t progressSamples, progressRays;
 };
 
-Picture renderLines(const Integrator& integrator, const RenderSettings& settings, int startLine = 0,
-                    int lines = height) {
+Picture renderLines(const Integrator& integrator, const RenderSettings& settings, int startLine = 0, int lines = height,
+                    const Camera& camera = render::camera) {
     Film film(width, height, startLine, lines);
     Progress progress;
     const std::atomic<bool> stop = false;
@@ -47,9 +53,20 @@ protected:
         settings.samplesPerLightSource = 2;
         settings.seed = 11;
     }
-    Picture rendered(int startLine = 0, int lines = height) {
+    Picture rendered(int startLine = 0, int lines = height) { return renderedBy(camera, startLine, lines); }
+    Picture renderedBy(const Camera& camera, int startLine = 0, int lines = height) {
         scene.settings = settings;
-        return renderLines(Radiometer(scene).integrator(), settings, startLine, lines);
+        return renderLines(Radiometer(scene, {0, 0, 6}).integrator(), settings, startLine, lines, camera);
+    }
+    // A ball of steel, two of glass, one in the other, and a pane that cuts the lens in two.
+    void addEveryMaterial() {
+        using materials::Dielectric;
+        scene.add("steel", gr::SphereNode{{-1, -1, 1}, 0.8},
+                  materials::Shirley{.exponents = {10, 300}, .sampling = core::Weights{0.2f, 0.3f, 0, 0.5f}});
+        scene.add("glass", gr::SphereNode{{0.3, 0.4, 2}, 0.7}, Dielectric{.absorption = {0.1f, 0.6f, 0.3f}});
+        scene.add("drop", gr::SphereNode{{0.3, 0.4, 2.2}, 0.4},
+                  Dielectric{.specular = core::Rgbf(0.3f), .index = 1.3, .perturbation = 3});
+        scene.add("visor", gr::BoxNode{{0.03, -0.5, 5.5}, {0.5, 0.9, 1}}, Dielectric{.absorption = {0.5f, 0, 0}});
     }
 
     TestScene scene;
@@ -84,6 +101,32 @@ TEST_F(Rendering, IsTheSameToTheBitInStrips) {
         EXPECT_EQ(strips.pixels, whole.pixels) << lines.size() << " strips";
         EXPECT_EQ(rays, whole.result.rays.total());
     }
+}
+
+TEST_F(Rendering, OfEveryMaterialThroughALensIsTheSameToTheBit) {
+    addEveryMaterial();
+    settings.threads = 1;
+    settings.pathLength = 6;
+    const Camera camera = lens(0.2);
+    const Picture one = renderedBy(camera);
+    settings.threads = 5;
+    const Picture many = renderedBy(camera);
+    EXPECT_EQ(many.pixels, one.pixels);
+    EXPECT_EQ(many.result.rays.refractive, one.result.rays.refractive);
+    EXPECT_GT(many.result.rays.refractive, 100u);
+    EXPECT_EQ(many.result.droppedSamples, 0u);
+    Picture strips;
+    for (const auto& [start, lines] : {std::pair(0, 13), {13, 1}, {14, height - 14}}) {
+        const Picture strip = renderedBy(camera, start, lines);
+        strips.pixels.insert(strips.pixels.end(), strip.pixels.begin(), strip.pixels.end());
+    }
+    EXPECT_EQ(strips.pixels, one.pixels);
+}
+
+TEST_F(Rendering, ThroughALensWithoutWidthIsThatOfAPinhole) {
+    addEveryMaterial();
+    EXPECT_EQ(renderedBy(lens(0)).pixels, rendered().pixels);
+    EXPECT_NE(renderedBy(lens(0.01)).pixels, rendered().pixels);
 }
 
 TEST_F(Rendering, DiffersWithAnotherSeed) {

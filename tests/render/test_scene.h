@@ -10,23 +10,32 @@ namespace render {
 
 using RgbMean = std::array<support::RunningMean, 3>;
 
-// Objects stand below the root, are found as ":name", and reflect diffusely.
+// Objects stand below the root and are found as ":name".
 struct TestScene {
     gr::Database database;
     RenderSettings settings;
     core::Rgbf ambient{0};
     std::vector<std::string> pointLights;
 
-    void add(const std::string& name, const gr::NodeContent& content, const core::Rgbf& reflectance) {
+    void add(const std::string& name, const gr::NodeContent& content, const materials::Material& material) {
         database.create(":", name, content);
-        database.addMaterial(name, materials::Diffuse{reflectance});
+        database.addMaterial(name, material);
         database.setMaterial(":" + name, name);
     }
-    void addPolygon(const std::string& name, const std::vector<glm::dvec3>& outline, const core::Rgbf& reflectance) {
+    // Of what reflects diffusely.
+    void add(const std::string& name, const gr::NodeContent& content, const core::Rgbf& reflectance) {
+        add(name, content, materials::Diffuse{reflectance});
+    }
+    // Its normal is on the side from which the outline goes round counterclockwise.
+    void addPolygon(const std::string& name, const std::vector<glm::dvec3>& outline,
+                    const materials::Material& material) {
         std::vector<int> face;
         for (std::size_t i = 0; i < outline.size(); ++i) face.push_back(static_cast<int>(i));
         gr::MeshRepairs repairs;
-        add(name, gr::PolyhedronNode{gr::Polyhedron::make({outline, {face}}, repairs)}, reflectance);
+        add(name, gr::PolyhedronNode{gr::Polyhedron::make({outline, {face}}, repairs)}, material);
+    }
+    void addPolygon(const std::string& name, const std::vector<glm::dvec3>& outline, const core::Rgbf& reflectance) {
+        addPolygon(name, outline, materials::Diffuse{reflectance});
     }
     void addAreaLight(const std::string& name, const core::Rgbf& radiance, const glm::dvec3& centre, double size) {
         database.create(":", name, gr::AreaLightNode{radiance, centre, size});
@@ -44,10 +53,11 @@ inline core::Rayf rayTowards(const glm::dvec3& from, const glm::dvec3& to) {
 // A scene made ready to be measured. Later changes of the TestScene do not reach it.
 class Radiometer {
 public:
-    explicit Radiometer(const TestScene& scene)
+    // eye: only where there are dielectrics does it matter. Rays from elsewhere are right too, and slower.
+    explicit Radiometer(const TestScene& scene, const glm::dvec3& eye = {0, 0, 0})
         : scene_(gr::compile(scene.database, ":", scene.pointLights)),
           accelerator_(gr::makeNoAccelerator(scene_)),
-          integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient)) {}
+          integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient, core::Vec3f(eye))) {}
     Radiometer(const Radiometer&) = delete;
     Radiometer& operator=(const Radiometer&) = delete;
 
