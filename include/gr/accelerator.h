@@ -1,6 +1,8 @@
-// How the object is found that a ray meets first.
+// How the object is found that a ray meets first. To add a way: write its file beside src/gr/grid_accelerator.cpp,
+// declare its make function here, and add its name to the list in src/gr/accelerator.cpp.
 #pragma once
 
+#include "core/option.h"
 #include "gr/shape.h"
 
 #include <memory>
@@ -10,18 +12,51 @@ namespace gr {
 
 class Scene;
 
+// How much work rays were.
+struct TraversalCounts {
+    std::uint64_t tests = 0;  // of one shape or one triangle
+    std::uint64_t cells = 0;  // of a grid, or nodes of a tree
+
+    TraversalCounts& operator+=(const TraversalCounts& other) {
+        tests += other.tests;
+        cells += other.cells;
+        return *this;
+    }
+};
+
 class Accelerator {
 public:
     virtual ~Accelerator() = default;
 
-    // The nearest hit with 0 < t < ray.tMax, of any side of any object.
-    virtual std::optional<Hit> intersect(const core::Rayf& ray) const = 0;
+    // The nearest hit with 0 < t < ray.tMax, of any side of any object. Every accelerator finds the same one, bit by
+    // bit.
+    virtual std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const = 0;
     // Whether there is any.
-    virtual bool occluded(const core::Rayf& ray) const = 0;
+    virtual bool occluded(const core::Rayf& ray, TraversalCounts& counts) const = 0;
     virtual std::size_t bytes() const = 0;
+    // What it is, for a person: "grid of 12 x 8 x 3 cells".
+    virtual std::string description() const = 0;
+
+    std::optional<Hit> intersect(const core::Rayf& ray) const {
+        TraversalCounts counts;
+        return intersect(ray, counts);
+    }
+    bool occluded(const core::Rayf& ray) const {
+        TraversalCounts counts;
+        return occluded(ray, counts);
+    }
 };
 
-// Tests every object. The scene must outlive what is made for it.
+// Tests every object. The scene must outlive what is made for it, here and below.
 std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene);
+// The report's two-level uniform grid. threads: to build it with; 0: all cores.
+std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, int threads);
+// Embree's tree of boxes. Throws core::Error where Embree cannot be loaded.
+std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads);
+
+// What an accelerator may be called.
+std::span<const core::Word> acceleratorNames();
+// name: one of them.
+std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads);
 
 }  // namespace gr

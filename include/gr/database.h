@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "gr/light.h"
+#include "gr/mesh_file.h"
 #include "gr/node.h"
 
 #include <unordered_map>
@@ -40,6 +41,10 @@ public:
     const PointLight& pointLight(std::string_view name) const;
     // Throws unless a node of that name may be made there.
     void checkNew(std::string_view parent, std::string_view name) const;
+    // The polyhedron in a mesh file; see MeshFiles.
+    std::shared_ptr<const Polyhedron> readMesh(const std::string& path, std::string_view name, MeshRepairs& repairs) {
+        return meshFiles_.read(path, name, repairs);
+    }
     std::size_t nodeCount() const { return index_.size() + 1; }
 
 private:
@@ -77,6 +82,7 @@ private:
     std::unordered_map<const Node*, std::unordered_set<const Node*>> instancesOf_;
     std::unordered_map<std::string, NamedMaterial> materials_;
     std::unordered_map<std::string, PointLight> pointLights_;
+    MeshFiles meshFiles_;
 };
 
 }  // namespace gr

@@ -6,19 +6,21 @@
 namespace gr {
 
 // Lets vertices at the very same place be one.
-void mergeVertices(PolygonMesh& mesh, MeshRepairs& repairs);
+void mergeVertices(FlatMesh& mesh, MeshRepairs& repairs);
 
 // Drops vertices that a face repeats or goes to and straight back from, then faces without area.
-void dropDegenerate(PolygonMesh& mesh, MeshRepairs& repairs);
+void dropDegenerate(FlatMesh& mesh, MeshRepairs& repairs);
 
 // Winds all faces that hang together alike; where they close a body, outwards.
-void orientFaces(PolygonMesh& mesh, MeshRepairs& repairs);
+void orientFaces(FlatMesh& mesh, MeshRepairs& repairs);
 
-// Cuts every face into triangles that cover it, concave ones too. Throws core::Error for a face whose outline
-// crosses itself.
-std::vector<glm::ivec3> triangulate(const PolygonMesh& mesh);
+// What becomes of a face whose outline crosses itself.
+enum class Crossing { isAnError, isDropped };
+
+// Cuts every face into triangles that cover it, concave ones too. A triangle is three places in mesh.corners.
+std::vector<glm::ivec3> triangulate(const FlatMesh& mesh, Crossing crossing, MeshRepairs& repairs);
 
 // Twice the face's area, along its normal (Newell's method): right for any simple outline, flat or not.
-glm::dvec3 faceNormal(const PolygonMesh& mesh, const std::vector<int>& face);
+glm::dvec3 faceNormal(const std::vector<glm::dvec3>& vertices, std::span<const int> face);
 
 }  // namespace gr

@@ -30,6 +30,7 @@ struct BoxNode {
 };
 struct PolyhedronNode {
     std::shared_ptr<const Polyhedron> polyhedron;
+    std::string file{};  // as the script calls it; empty for one that the script gives itself
 };
 struct AreaLightNode {
     core::Rgbf radiance;

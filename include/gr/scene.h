@@ -28,8 +28,12 @@ struct Instance {
     float errorPerUnit = 0;
 
     bool isInPlace = false;  // whether its own space is the world
+    bool isSmooth = false;  // whether it is a polyhedron with normals of its own
+
+    core::Bounds bounds() const;  // in the world, of every point at which a ray may be reported to hit it
 
     core::Rayf toObject(const core::Rayf& ray) const {
+        if (isInPlace) return ray;
         return {objectFromWorld.point(ray.origin), objectFromWorld.vector(ray.direction), ray.tMax};
     }
 };
@@ -38,12 +42,15 @@ struct Instance {
 struct SurfacePoint {
     core::Vec3f position;
     core::Vec3f normal;  // unit length, outward
-    core::Vec3f objectNormal;  // in the object's own space, not of unit length
+    bool isSmooth;  // whether it is shaded with another normal,
+    core::Vec3f smoothNormal;  // this one: unit length, on the normal's side both of the surface and of the ray
+    core::Vec3f objectNormal;  // the shading normal in the object's own space, not of unit length
     float error;  // see Instance
     const Instance* instance;
     const materials::Material* material;
     const AreaLight* light;  // null for what does not emit
 
+    core::Vec3f shadingNormal() const { return isSmooth ? smoothNormal : normal; }
     // Where a ray starts or ends that leaves the surface on the side of the normal (or, negated, on the other): so far
     // off it that it cannot meet it again, whatever was rounded.
     core::Vec3f offset(const core::Vec3f& side) const { return offsetFrom(position, side, error); }

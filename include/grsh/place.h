@@ -31,6 +31,10 @@ bool isLibrary(Tcl_Interp* interp, const std::string& path);
 // file:line, the main script as it was typed, others from the current directory where they are below it.
 std::string shown(Tcl_Interp* interp, const Place& place);
 
+// A file that is named in a script: from the folder of the file that holds the command; at the prompt, from the current
+// folder. An absolute name stays.
+std::string besideScript(Tcl_Interp* interp, std::string_view file);
+
 // The words' result as one command, or null where that is an error.
 Value ask(Tcl_Interp* interp, std::initializer_list<std::string_view> words);
 

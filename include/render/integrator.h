@@ -14,6 +14,7 @@ struct RayCounts {
     std::uint64_t diffuse = 0;
     std::uint64_t reflective = 0;  // mirrored, sharply or not
     std::uint64_t refractive = 0;
+    gr::TraversalCounts traversal;
 
     std::uint64_t total() const { return camera + shadow + diffuse + reflective + refractive; }
     RayCounts& operator+=(const RayCounts& other) {
@@ -22,6 +23,7 @@ struct RayCounts {
         diffuse += other.diffuse;
         reflective += other.reflective;
         refractive += other.refractive;
+        traversal += other.traversal;
         return *this;
     }
 };

@@ -107,6 +107,7 @@ private:
     void add(const PolyhedronNode& node, const glm::dmat4& matrix) {
         if (polyhedra_.insert(node.polyhedron.get()).second) scene_.polyhedra.push_back(node.polyhedron);
         addInstance(node.polyhedron.get(), matrix, node.polyhedron->extent());
+        scene_.instances.back().isSmooth = node.polyhedron->hasNormals();
     }
     void add(const AreaLightNode& light, const glm::dmat4& matrix) {
         const glm::dmat4 place = glm::scale(glm::translate(matrix, light.centre), glm::dvec3(light.size));

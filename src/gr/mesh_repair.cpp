@@ -1,38 +1,31 @@
 #include "gr/mesh_repair.h"
 
+#include "gr/parts.h"
+#include "gr/places.h"
+
 #include <algorithm>
+#include <atomic>
 #include <numeric>
-#include <tuple>
-#include <unordered_map>
 
 namespace gr {
 
-glm::dvec3 faceNormal(const PolygonMesh& mesh, const std::vector<int>& face) {
+glm::dvec3 faceNormal(const std::vector<glm::dvec3>& vertices, std::span<const int> face) {
     // About the first vertex, so that a small face far from the origin keeps its digits.
-    const glm::dvec3 origin = mesh.vertices[face[0]];
+    const glm::dvec3 origin = vertices[face[0]];
     glm::dvec3 normal(0);
     for (std::size_t i = 1; i + 1 < face.size(); ++i)
-        normal += glm::cross(mesh.vertices[face[i]] - origin, mesh.vertices[face[i + 1]] - origin);
+        normal += glm::cross(vertices[face[i]] - origin, vertices[face[i + 1]] - origin);
     return normal;
 }
 
-void mergeVertices(PolygonMesh& mesh, MeshRepairs& repairs) {
-    std::vector<int> order(mesh.vertices.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto key = [&](int i) {
-        const glm::dvec3& v = mesh.vertices[i];
-        return std::tuple(v.x, v.y, v.z, i);
-    };
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
-
+void mergeVertices(FlatMesh& mesh, MeshRepairs& repairs) {
+    PlaceTable<glm::dvec3> table;
     std::vector<int> first(mesh.vertices.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool same = i > 0 && mesh.vertices[order[i]] == mesh.vertices[order[i - 1]];
-        first[order[i]] = same ? first[order[i - 1]] : order[i];
-        repairs.mergedVertices += same;
+    for (int i = 0; i < static_cast<int>(first.size()); ++i) {
+        first[i] = table.firstLike(mesh.vertices.data(), i);
+        repairs.mergedVertices += first[i] != i;
     }
-    for (std::vector<int>& face : mesh.faces)
-        for (int& vertex : face) vertex = first[vertex];
+    for (int& vertex : mesh.corners) vertex = first[vertex];
 }
 
 namespace {
@@ -44,120 +37,90 @@ bool turnsBack(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return glm::cross(in, out) == glm::dvec3(0) && glm::dot(in, out) < 0;
 }
 
-int dropFromOutline(const PolygonMesh& mesh, std::vector<int>& face) {
-    const std::size_t before = face.size();
-    for (bool changed = true; changed && face.size() >= 3;) {
-        changed = false;
-        for (std::size_t i = 0; i < face.size() && face.size() >= 3; ++i) {
-            const int last = face[(i + face.size() - 1) % face.size()];
-            const int next = face[(i + 1) % face.size()];
-            const auto& v = mesh.vertices;
-            if (face[i] != next && !turnsBack(v[last], v[face[i]], v[next])) continue;
-            face.erase(face.begin() + static_cast<std::ptrdiff_t>(i--));
-            changed = true;
-        }
-    }
-    return static_cast<int>(before - face.size());
+// Whether corner i of a face repeats the next one or is the tip of a spike.
+bool isDegenerate(const std::vector<glm::dvec3>& v, std::span<const int> face, std::size_t i) {
+    const std::size_t last = i == 0 ? face.size() - 1 : i - 1, next = i + 1 == face.size() ? 0 : i + 1;
+    return face[i] == face[next] || turnsBack(v[face[last]], v[face[i]], v[face[next]]);
 }
 
 // Whether all corners lie on one line.
-bool isOnALine(const PolygonMesh& mesh, const std::vector<int>& face) {
-    const glm::dvec3 origin = mesh.vertices[face[0]];
+bool isOnALine(const std::vector<glm::dvec3>& v, std::span<const int> face) {
+    const glm::dvec3 origin = v[face[0]];
     for (std::size_t i = 1; i + 1 < face.size(); ++i)
-        if (glm::cross(mesh.vertices[face[i]] - origin, mesh.vertices[face[i + 1]] - origin) != glm::dvec3(0))
-            return false;
+        if (glm::cross(v[face[i]] - origin, v[face[i + 1]] - origin) != glm::dvec3(0)) return false;
     return true;
 }
 
-}  // namespace
-
-void dropDegenerate(PolygonMesh& mesh, MeshRepairs& repairs) {
-    const auto hasNoArea = [&](std::vector<int>& face) {
-        const int dropped = dropFromOutline(mesh, face);
-        if (face.size() < 3 || isOnALine(mesh, face)) return true;
-        repairs.droppedVertices += dropped;
-        return false;
-    };
-    repairs.droppedFaces += static_cast<int>(std::erase_if(mesh.faces, hasNoArea));
+bool needsRepair(const std::vector<glm::dvec3>& v, std::span<const int> face) {
+    for (std::size_t i = 0; i < face.size(); ++i)
+        if (isDegenerate(v, face, i)) return true;
+    return isOnALine(v, face);
 }
 
-namespace {
-
-// For each edge, from its lower to its higher vertex, the faces along it and whether they run that way.
-struct EdgeUse {
-    int face;
-    bool forward;
-};
-using Edges = std::unordered_map<std::uint64_t, std::vector<EdgeUse>>;
-
-std::uint64_t edgeKey(int a, int b) {
-    const auto [low, high] = std::minmax(a, b);
-    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
+// One byte for each face; empty where none does.
+std::vector<char> findRepairs(const FlatMesh& mesh) {
+    std::vector<char> found(static_cast<std::size_t>(mesh.faceCount()));
+    std::atomic<bool> any = false;
+    inParts(mesh.faceCount(), [&](int first, int end) {
+        bool anyHere = false;
+        for (int f = first; f < end; ++f) {
+            found[f] = needsRepair(mesh.vertices, mesh.face(f));
+            anyHere |= found[f] != 0;
+        }
+        if (anyHere) any = true;
+    });
+    if (!any) found.clear();
+    return found;
 }
 
-Edges findEdges(const PolygonMesh& mesh) {
-    Edges edges;
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const std::vector<int>& face = mesh.faces[f];
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            const int a = face[i], b = face[(i + 1) % face.size()];
-            edges[edgeKey(a, b)].push_back({static_cast<int>(f), a < b});
+// Drops from the places in `corners` those that make an outline degenerate, and returns how many. outline: the
+// vertices there.
+int dropFromOutline(const std::vector<glm::dvec3>& v, std::vector<int>& outline, std::vector<int>& corners) {
+    const std::size_t before = outline.size();
+    for (bool changed = true; changed && outline.size() >= 3;) {
+        changed = false;
+        for (std::size_t i = 0; i < outline.size() && outline.size() >= 3; ++i) {
+            if (!isDegenerate(v, outline, i)) continue;
+            corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+            outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(i--));
+            changed = true;
         }
     }
-    return edges;
-}
-
-// Six times the volume that the faces of a closed body enclose: positive when they face outwards.
-double volume(const PolygonMesh& mesh, const std::vector<int>& faces, const std::vector<char>& turned) {
-    const glm::dvec3 origin = mesh.vertices[mesh.faces[faces[0]][0]];
-    double sum = 0;
-    for (const int f : faces) {
-        const double cone = glm::dot(faceNormal(mesh, mesh.faces[f]), mesh.vertices[mesh.faces[f][0]] - origin);
-        sum += turned[f] ? -cone : cone;
-    }
-    return sum;
+    return static_cast<int>(before - outline.size());
 }
 
 }  // namespace
 
-void orientFaces(PolygonMesh& mesh, MeshRepairs& repairs) {
-    const Edges edges = findEdges(mesh);
-    const int count = static_cast<int>(mesh.faces.size());
-    std::vector<char> seen(count, 0), turned(count, 0);
-    for (int start = 0; start < count; ++start) {
-        if (seen[start]) continue;
-        // Walk over shared edges: two faces agree when they run along their edge in opposite ways.
-        std::vector<int> body{start};
-        bool closed = true;
-        seen[start] = 1;
-        for (std::size_t next = 0; next < body.size(); ++next) {
-            const int f = body[next];
-            const std::vector<int>& face = mesh.faces[f];
-            for (std::size_t i = 0; i < face.size(); ++i) {
-                const int a = face[i], b = face[(i + 1) % face.size()];
-                const std::vector<EdgeUse>& uses = edges.at(edgeKey(a, b));
-                if (uses.size() != 2) {
-                    closed = false;
-                    continue;
-                }
-                const EdgeUse& other = uses[0].face == f ? uses[1] : uses[0];
-                if (seen[other.face]) continue;
-                seen[other.face] = 1;
-                const bool runsAlike = other.forward == (a < b);
-                turned[other.face] = static_cast<char>(runsAlike != (turned[f] != 0));
-                body.push_back(other.face);
+void dropDegenerate(FlatMesh& mesh, MeshRepairs& repairs) {
+    const std::vector<char> needsRepair = findRepairs(mesh);
+    if (needsRepair.empty()) return;
+    // What is kept moves to the front.
+    int size = 0, faces = 0;
+    std::vector<int> outline, places;
+    for (int f = 0, begin = 0; f < mesh.faceCount(); ++f) {
+        const int end = mesh.end(f);
+        outline.assign(&mesh.corners[begin], &mesh.corners[0] + end);
+        places.resize(outline.size());
+        std::iota(places.begin(), places.end(), begin);
+        begin = end;
+        if (needsRepair[f] != 0) {
+            const int dropped = dropFromOutline(mesh.vertices, outline, places);
+            if (outline.size() < 3 || isOnALine(mesh.vertices, outline)) {
+                ++repairs.droppedFaces;
+                continue;
             }
+            repairs.droppedVertices += dropped;
         }
-        // A closed body faces outwards; of an open one the fewer faces are wrong.
-        const auto turnedCount = std::count_if(body.begin(), body.end(), [&](int f) { return turned[f]; });
-        const bool inverted =
-            closed ? volume(mesh, body, turned) < 0 : 2 * turnedCount > static_cast<std::ptrdiff_t>(body.size());
-        for (const int f : body) {
-            if ((turned[f] != 0) == inverted) continue;
-            std::reverse(mesh.faces[f].begin(), mesh.faces[f].end());
-            ++repairs.turnedFaces;
+        for (const int place : places) {
+            mesh.corners[size] = mesh.corners[place];
+            if (!mesh.normals.empty()) mesh.normals[size] = mesh.normals[place];
+            ++size;
         }
+        if (!mesh.ends.empty()) mesh.ends[faces++] = size;
     }
+    mesh.corners.resize(size);
+    if (!mesh.ends.empty()) mesh.ends.resize(faces);
+    if (!mesh.normals.empty()) mesh.normals.resize(size);
 }
 
 }  // namespace gr

@@ -24,7 +24,8 @@ public:
             std::visit([&](auto shape) { add(i, shape); }, scene.instances[i].shape);
     }
 
-    std::optional<Hit> intersect(const core::Rayf& ray) const override {
+    std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const override {
+        counts.tests += objects_;
         Hit nearest;
         const PackRay packRay(ray);
         for (const MeshPack& pack : smallMeshes_)
@@ -53,7 +54,8 @@ public:
         return nearest;
     }
 
-    bool occluded(const core::Rayf& ray) const override {
+    bool occluded(const core::Rayf& ray, TraversalCounts& counts) const override {
+        counts.tests += objects_;
         const PackLanes never(core::infinity);
         // Bodies first: they stand in the way more often than walls, which are meshes.
         const core::Ray<PackLanes> lanesRay = broadcast(ray);
@@ -74,6 +76,8 @@ public:
         std::apply([&](const auto&... packs) { (add(packs), ...); }, packs_);
         return bytes;
     }
+
+    std::string description() const override { return "every object tested"; }
 
 private:
     // Triangles of meshes that stand in the world as they are, several meshes' in a pack.
@@ -101,6 +105,7 @@ private:
 
     template<class Shape>
     void add(std::uint32_t instance, Shape) {
+        ++objects_;
         auto& packs = std::get<std::vector<InstancePack<Shape>>>(packs_);
         std::size_t& count = counts_[scene_.instances[instance].shape.index()];
         if (count % packWidth == 0) packs.emplace_back();
@@ -111,6 +116,7 @@ private:
     }
 
     void add(std::uint32_t instance, const Polyhedron* polyhedron) {
+        objects_ += polyhedron->triangleCount();
         if (!scene_.instances[instance].isInPlace || polyhedron->triangleCount() > mostTrianglesOfSmallMesh) {
             polyhedra_.push_back(instance);
             return;
@@ -144,6 +150,7 @@ private:
     }
 
     const Scene& scene_;
+    std::uint64_t objects_ = 0;  // shapes and triangles
     std::vector<MeshPack> smallMeshes_;
     std::size_t smallTriangles_ = 0;
     typename PacksOf<Shape>::Type packs_;

@@ -3,8 +3,10 @@
 #include "core/error.h"
 #include "gr/mesh_repair.h"
 #include "gr/pack.h"
+#include "gr/parts.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace gr {
 
@@ -19,26 +21,93 @@ std::string MeshRepairs::text() const {
     add(droppedVertices, "degenerate vertex dropped", "degenerate vertices dropped");
     add(droppedFaces, "face without area dropped", "faces without area dropped");
     add(turnedFaces, "wrong-way face turned", "wrong-way faces turned");
+    add(crossingFaces, "self-crossing face dropped", "self-crossing faces dropped");
+    add(linesAndPoints, "line or point left out", "lines and points left out");
     return text;
 }
 
-std::shared_ptr<const Polyhedron> Polyhedron::make(PolygonMesh mesh, MeshRepairs& repairs) {
-    mergeVertices(mesh, repairs);
-    dropDegenerate(mesh, repairs);
-    if (mesh.faces.empty()) throw core::Error("MESH", "EMPTY", "", "no face has an area");
-    orientFaces(mesh, repairs);
-    const std::vector<glm::ivec3> triangles = triangulate(mesh);
-    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh.vertices, triangles));
+FlatMesh::FlatMesh(const PolygonMesh& mesh) : vertices(mesh.vertices) {
+    for (const std::vector<int>& face : mesh.faces) {
+        corners.insert(corners.end(), face.begin(), face.end());
+        ends.push_back(static_cast<int>(corners.size()));
+    }
 }
 
-Polyhedron::Polyhedron(const std::vector<glm::dvec3>& vertices, const std::vector<glm::ivec3>& triangles)
+namespace {
+
+// Mends all but vertices at one place, and cuts the faces.
+std::vector<glm::ivec3> makeTriangles(FlatMesh& mesh, Crossing crossing, MeshRepairs& repairs) {
+    dropDegenerate(mesh, repairs);
+    if (mesh.faceCount() > 0) orientFaces(mesh, repairs);
+    std::vector<glm::ivec3> triangles = triangulate(mesh, crossing, repairs);
+    if (triangles.empty()) throw core::Error("MESH", "EMPTY", "", "no face has an area");
+    return triangles;
+}
+
+}  // namespace
+
+std::shared_ptr<const Polyhedron> Polyhedron::make(const PolygonMesh& given, MeshRepairs& repairs) {
+    FlatMesh mesh(given);
+    mergeVertices(mesh, repairs);
+    const std::vector<glm::ivec3> triangles = makeTriangles(mesh, Crossing::isAnError, repairs);
+    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, triangles));
+}
+
+std::shared_ptr<const Polyhedron> Polyhedron::make(FlatMesh mesh, MeshRepairs& repairs) {
+    const std::vector<glm::ivec3> triangles = makeTriangles(mesh, Crossing::isDropped, repairs);
+    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, triangles));
+}
+
+Polyhedron::Polyhedron(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles)
     : packs_((triangles.size() + packWidth - 1) / packWidth), triangleCount_(triangles.size()) {
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const auto corner = [&](int k) { return core::Vec3f(vertices[static_cast<std::size_t>(triangles[i][k])]); };
-        const std::array<core::Vec3f, 3> corners{corner(0), corner(1), corner(2)};
-        for (const core::Vec3f& v : corners) extent_ = std::max(extent_, core::largestComponent(v));
-        packs_[i / packWidth].set(static_cast<int>(i % packWidth), corners);
-    }
+    inParts(static_cast<int>(packs_.size()), [&](int first, int end) {
+        const std::size_t last = std::min(static_cast<std::size_t>(end) * packWidth, triangleCount_);
+        for (std::size_t i = static_cast<std::size_t>(first) * packWidth; i < last; ++i)
+            setTriangle(mesh, triangles[i], i);
+    });
+    for (const glm::ivec3& triangle : triangles)
+        for (int k = 0; k < 3; ++k) bounds_.include(core::Vec3f(mesh.vertices[mesh.corners[triangle[k]]]));
+    if (!mesh.normals.empty()) setNormals(mesh, triangles);
+}
+
+void Polyhedron::setTriangle(const FlatMesh& mesh, const glm::ivec3& corners, std::size_t triangle) {
+    const auto corner = [&](int k) { return core::Vec3f(mesh.vertices[mesh.corners[corners[k]]]); };
+    packs_[triangle / packWidth].set(static_cast<int>(triangle % packWidth), {corner(0), corner(1), corner(2)});
+}
+
+void Polyhedron::setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles) {
+    normals_.resize(3 * triangles.size());
+    std::atomic<bool> anyIsSmooth = false;
+    inParts(static_cast<int>(triangles.size()), [&](int first, int end) {
+        bool isSmooth = false;
+        for (int i = first; i < end; ++i) {
+            const auto corner = [&](int k) { return mesh.vertices[mesh.corners[triangles[i][k]]]; };
+            const core::Vec3f flat(glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0))));
+            std::array<core::Vec3f, 3> normals;
+            float outwards = 0;
+            for (int k = 0; k < 3; ++k) {
+                const PackedNormal packed = mesh.normals[triangles[i][k]];
+                normals[k] = packed == noNormal ? core::Vec3f(0) : unpackNormal(packed);
+                outwards += glm::dot(normals[k], flat);
+            }
+            for (int k = 0; k < 3; ++k) {
+                const bool isGiven = normals[k] != core::Vec3f(0);
+                const core::Vec3f normal = !isGiven ? flat : outwards < 0 ? -normals[k] : normals[k];
+                normals_[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)] = packNormal(normal);
+                constexpr float cosineOfATenthDegree = 1 - 1.5e-6f;
+                isSmooth |= glm::dot(normal, flat) < cosineOfATenthDegree;
+            }
+        }
+        if (isSmooth) anyIsSmooth = true;
+    });
+    // Normals that only say again how each face lies are not worth their bytes.
+    if (!anyIsSmooth) normals_ = {};
+}
+
+core::Vec3f Polyhedron::shadingNormal(const Hit& hit) const {
+    const PackedNormal* corner = &normals_[3 * static_cast<std::size_t>(hit.triangle)];
+    return unpackNormal(corner[0]) * (1 - hit.b1 - hit.b2) + unpackNormal(corner[1]) * hit.b1 +
+           unpackNormal(corner[2]) * hit.b2;
 }
 
 Polyhedron::~Polyhedron() = default;
@@ -48,7 +117,7 @@ core::Vec3f Polyhedron::vertex(std::uint32_t triangle, int corner) const {
 }
 
 std::size_t Polyhedron::bytes() const {
-    return packs_.size() * sizeof(TrianglePack);
+    return packs_.size() * sizeof(TrianglePack) + normals_.size() * sizeof(PackedNormal);
 }
 
 void Polyhedron::intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const {
@@ -62,6 +131,17 @@ void Polyhedron::intersect(const PackRay& ray, std::uint32_t instance, Hit& near
             }
         });
     }
+}
+
+TriangleHit<float> Polyhedron::intersect(const TriangleRay<float>& ray, std::uint32_t triangle) const {
+    const core::Vec3f a = ray.axes.permute(vertex(triangle, 0));
+    const core::Vec3f b = ray.axes.permute(vertex(triangle, 1));
+    const core::Vec3f c = ray.axes.permute(vertex(triangle, 2));
+    TriangleCrossing<float> crossing = ray.cross(a, b, c);
+    if (!crossing.inside) return {core::infinity, 0, 0};
+    const bool isThin = packs_[triangle / packWidth].isThin[triangle % packWidth] > 0;
+    if (isThin) crossing = ray.exactCross(a, b, c);
+    return ray.hit(crossing, a, b, c);
 }
 
 bool Polyhedron::occluded(const PackRay& ray) const {

@@ -17,7 +17,8 @@ struct ContentText {
         return "box " + vectorText(box.corner) + " " + vectorText(box.size);
     }
     std::string operator()(const PolyhedronNode& node) const {
-        return "polyhedron of " + std::to_string(node.polyhedron->triangleCount()) + " triangles";
+        const std::string what = node.file.empty() ? "polyhedron" : "mesh \"" + node.file + "\"";
+        return what + " of " + std::to_string(node.polyhedron->triangleCount()) + " triangles";
     }
     std::string operator()(const AreaLightNode& light) const {
         return "area light {" + core::optionText(light.radiance) + "} " + vectorText(light.centre) + " " +

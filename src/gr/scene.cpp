@@ -11,15 +11,29 @@ core::Vec3f SurfacePoint::tangent() const {
 
 namespace {
 
-// A ray that comes along the surface must see the normal from the side that it came from, or it would go on from the
-// other one: where rounding says otherwise, the normal is bent by as much.
-core::Vec3f facing(const core::Vec3f& normal, const core::Vec3f& direction, bool front) {
-    const float cosine = glm::dot(direction, normal);
-    if ((cosine < 0) == front) return normal;
+core::Vec3f bent(const core::Vec3f& normal, const core::Vec3f& direction, bool front) {
     constexpr float beyondRounding = 0x1p-20f;
     const float length = glm::length(direction);
     const float wanted = front ? -beyondRounding : beyondRounding;
-    return glm::normalize(normal + direction * ((wanted - cosine / length) / length));
+    return glm::normalize(normal + direction * ((wanted - glm::dot(direction, normal) / length) / length));
+}
+
+// A ray that comes along the surface must see the normal from the side that it came from, or it would go on from the
+// other one: where rounding says otherwise, the normal is bent by as much.
+inline core::Vec3f facing(const core::Vec3f& normal, const core::Vec3f& direction, bool front) {
+    return (glm::dot(direction, normal) < 0) == front ? normal : bent(normal, direction, front);
+}
+
+// A mesh's own normals stand for a shape that is rounder than its faces. They change how light is reflected, never
+// which side of a face something is on.
+[[gnu::noinline]] void setSmoothNormal(SurfacePoint& surface, const Hit& hit, const core::Vec3f& direction,
+                                       bool front) {
+    const core::Vec3f objectNormal = std::get<const Polyhedron*>(surface.instance->shape)->shadingNormal(hit);
+    const core::Vec3f normal = glm::normalize(surface.instance->objectFromWorld.transposed(objectNormal));
+    if (!(glm::dot(normal, surface.normal) > 0)) return;
+    surface.smoothNormal = facing(normal, direction, front);
+    surface.objectNormal = objectNormal;
+    surface.isSmooth = true;
 }
 
 }  // namespace
@@ -35,7 +49,7 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     const core::Transform& map = instance.objectFromWorld;
     const core::Vec3f unit = isInPlace ? core::Vec3f(1) : glm::abs(map.x) + glm::abs(map.y) + glm::abs(map.z);
     const core::Vec3f margin = unit * (2.4f * surface.error);
-    const core::Rayf objectRay = isInPlace ? ray : instance.toObject(ray);
+    const core::Rayf objectRay = instance.toObject(ray);
     const auto inObjectSpace = [&](const auto& shape) {
         if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, const Polyhedron*>)
             return shape->surfaceAt(objectRay, hit, margin);
@@ -49,6 +63,8 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     surface.normal = facing(glm::normalize(normal), ray.direction, point.front);
     surface.objectNormal = point.normal;
     surface.instance = &instance;
+    surface.isSmooth = false;
+    if (instance.isSmooth) setSmoothNormal(surface, hit, ray.direction, point.front);
     surface.material = &materials[instance.material];
     surface.light = instance.light == Instance::notALight ? nullptr : &areaLights[instance.light];
     return surface;

@@ -18,8 +18,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 }
 
 // Looks at the face along its normal's largest axis, from the side from which it runs counter-clockwise.
-Outline project(const PolygonMesh& mesh, const std::vector<int>& face) {
-    const glm::dvec3 normal = faceNormal(mesh, face);
+Outline project(const std::vector<glm::dvec3>& vertices, std::span<const int> face, const glm::dvec3& normal) {
     int axis = 0;
     for (int i = 1; i < 3; ++i)
         if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
@@ -27,8 +26,7 @@ Outline project(const PolygonMesh& mesh, const std::vector<int>& face) {
     if (normal[axis] < 0) std::swap(x, y);
     Outline outline;
     for (const int v : face)
-        outline.emplace_back(mesh.vertices[v][x] - mesh.vertices[face[0]][x],
-                             mesh.vertices[v][y] - mesh.vertices[face[0]][y]);
+        outline.emplace_back(vertices[v][x] - vertices[face[0]][x], vertices[v][y] - vertices[face[0]][y]);
     return outline;
 }
 
@@ -95,27 +93,43 @@ bool clipEars(const Outline& outline, std::vector<glm::ivec3>& triangles) {
     return true;
 }
 
+// The triangles of one face as numbers of its corners. False when its outline is not simple.
+bool cut(const std::vector<glm::dvec3>& vertices, std::span<const int> face, std::vector<glm::ivec3>& triangles) {
+    // An outline whose areas cancel, a bow tie, has no side to be looked at from.
+    const glm::dvec3 normal = faceNormal(vertices, face);
+    if (normal == glm::dvec3(0)) return false;
+    const Outline outline = project(vertices, face, normal);
+    return !crossesItself(outline) && clipEars(outline, triangles);
+}
+
+[[noreturn]] void throwCrossing(std::span<const int> face) {
+    std::string words;
+    for (const int v : face) {
+        if (!words.empty()) words += ' ';
+        words += std::to_string(v);
+    }
+    throw core::Error("MESH", "CROSSING", words, "the outline of face {" + words + "} crosses itself");
+}
+
 }  // namespace
 
-std::vector<glm::ivec3> triangulate(const PolygonMesh& mesh) {
+std::vector<glm::ivec3> triangulate(const FlatMesh& mesh, Crossing crossing, MeshRepairs& repairs) {
     std::vector<glm::ivec3> triangles;
-    for (const std::vector<int>& face : mesh.faces) {
-        if (face.size() == 3) {
-            triangles.emplace_back(face[0], face[1], face[2]);
+    triangles.reserve(mesh.corners.size() - 2 * static_cast<std::size_t>(mesh.faceCount()));
+    std::vector<glm::ivec3> ofFace;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+        const int begin = mesh.begin(f);
+        if (mesh.end(f) - begin == 3) {
+            triangles.emplace_back(begin, begin + 1, begin + 2);
             continue;
         }
-        // An outline whose areas cancel, a bow tie, has no side to be looked at from.
-        const Outline outline = project(mesh, face);
-        std::vector<glm::ivec3> corners;
-        if (faceNormal(mesh, face) == glm::dvec3(0) || crossesItself(outline) || !clipEars(outline, corners)) {
-            std::string words;
-            for (const int v : face) {
-                if (!words.empty()) words += ' ';
-                words += std::to_string(v);
-            }
-            throw core::Error("MESH", "CROSSING", words, "the outline of face {" + words + "} crosses itself");
+        ofFace.clear();
+        if (cut(mesh.vertices, mesh.face(f), ofFace)) {
+            for (const glm::ivec3& triangle : ofFace) triangles.push_back(triangle + begin);
+        } else {
+            if (crossing == Crossing::isAnError) throwCrossing(mesh.face(f));
+            ++repairs.crossingFaces;
         }
-        for (const glm::ivec3& c : corners) triangles.emplace_back(face[c.x], face[c.y], face[c.z]);
     }
     return triangles;
 }

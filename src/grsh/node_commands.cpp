@@ -1,4 +1,5 @@
 #include "grsh/commands.h"
+#include "grsh/place.h"
 
 #include <array>
 
@@ -79,10 +80,21 @@ Tcl_Obj* makePolyhedron(Call& call) {
     mesh.vertices = readVertices(call);
     mesh.faces = readFaces(call, mesh.vertices.size());
     gr::MeshRepairs repairs;
-    const auto polyhedron = gr::Polyhedron::make(std::move(mesh), repairs);
+    const auto polyhedron = gr::Polyhedron::make(mesh, repairs);
     Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron});
     if (const std::string text = repairs.text(); !text.empty())
         warn(call, "gr_polyhedron: " + std::string(textOf(path)) + ": " + text);
+    return path;
+}
+
+Tcl_Obj* makeMesh(Call& call) {
+    checkNew(call);
+    const std::string file(call.words.text(2));
+    gr::MeshRepairs repairs;
+    const auto polyhedron = call.session.database.readMesh(besideScript(call.interp, file), file, repairs);
+    Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron, file});
+    if (const std::string text = repairs.text(); !text.empty())
+        warn(call, "gr_mesh: " + std::string(textOf(path)) + ": \"" + file + "\": " + text);
     return path;
 }
 
@@ -142,7 +154,7 @@ Tcl_Obj* print(Call& call) {
     return textObject(call.session.database.print(call.words.size() == 1 ? call.words.text(0) : ":"));
 }
 
-constexpr std::array<Command, 12> rows{{
+constexpr std::array<Command, 13> rows{{
     {"gr_transform", "", "pname name", 2, 2, makeTransform, "makes an inner node, which holds others"},
     {"gr_sphere", "", "pname name ?{x y z} radius?", 2, 4, makeSphere,
      "makes a sphere; without the tail, the unit sphere at the origin"},
@@ -150,6 +162,8 @@ constexpr std::array<Command, 12> rows{{
      "makes a box from the corner {x y z} to corner + size, a number or {sx sy sz}; without the tail, [0,1]^3"},
     {"gr_polyhedron", "", "pname name {{x y z} ...} {{i j k ...} ...}", 4, 4, makePolyhedron,
      "makes a polygon mesh: vertices, then faces of vertex numbers from 0; any simple polygon, concave ones too"},
+    {"gr_mesh", "", "pname name file", 3, 3, makeMesh,
+     "makes a mesh from a file, .obj, .ply, .stl, .gltf or .glb; its path is relative to the script's folder"},
     {"gr_instance", "", "pname name target", 3, 3, makeInstance, "places the subtree at the path target once more"},
     {"gr_als_planar", "", "pname name {r g b} {x y z} size", 5, 5, makeAreaLight,
      "makes a square area light centred at {x y z} in the x-z plane, with radiance {r g b} from its -y side"},

@@ -62,20 +62,42 @@ Value ask(Tcl_Interp* interp, std::initializer_list<std::string_view> words) {
     return hold(Tcl_GetObjResult(interp));
 }
 
-std::string place(Tcl_Interp* interp) {
+namespace {
+
+// The innermost command that stands in a file; without a path where there is none.
+Place placeOf(Tcl_Interp* interp) {
     constexpr std::string_view kFrame = "::tcl::info::frame";
     const KeptState kept(interp);
     int frames = 0;
     const Value count = ask(interp, {kFrame});
-    if (!count || Tcl_GetIntFromObj(nullptr, count.get(), &frames) != TCL_OK) return "";
+    if (!count || Tcl_GetIntFromObj(nullptr, count.get(), &frames) != TCL_OK) return {};
     for (int i = frames; i > 0; --i) {
         const Value frame = ask(interp, {kFrame, std::to_string(i)});
-        if (!frame) return "";
+        if (!frame) return {};
         const std::string path = entry(frame.get(), "file");
         if (path.empty() || isLibrary(interp, path)) continue;
-        return shown(interp, {path, std::atoi(entry(frame.get(), "line").c_str())});
+        return {path, std::atoi(entry(frame.get(), "line").c_str())};
     }
-    return "";
+    return {};
+}
+
+}  // namespace
+
+std::string place(Tcl_Interp* interp) {
+    const Place place = placeOf(interp);
+    return place.path.empty() ? "" : shown(interp, place);
+}
+
+std::string besideScript(Tcl_Interp* interp, std::string_view file) {
+    const std::string script = placeOf(interp).path;
+    const MainScript* main = mainScript(interp);
+    const bool isStandardInput =
+        main != nullptr && script == main->path && main->typed == "-" && script != normalized("-");
+    if (script.empty() || isStandardInput) return normalized(std::string(file));
+    const Value folder = textValue(script.substr(0, script.rfind('/') + 1)), name = textValue(file);
+    Tcl_Obj* const parts[] = {name.get()};
+    const Value joined = hold(Tcl_FSJoinToPath(folder.get(), 1, parts));
+    return normalized(stringOf(joined.get()));
 }
 
 }  // namespace grsh

@@ -1,4 +1,5 @@
 #include "core/memory.h"
+#include "core/parallel.h"
 #include "grsh/commands.h"
 #include "grsh/interrupt.h"
 #include "grsh/option_words.h"
@@ -165,7 +166,21 @@ Tcl_Obj* wide(std::uint64_t number) {
     return Tcl_NewWideIntObj(static_cast<Tcl_WideInt>(number));
 }
 
-Tcl_Obj* report(Call& call, const render::RenderResult& result, double seconds, std::size_t bytes) {
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Where memory went.
+struct Bytes {
+    std::size_t scene, accelerator, picture;
+};
+
+struct Seconds {
+    double build, whole;  // of the accelerator, of everything
+};
+
+Tcl_Obj* report(Call& call, const render::RenderResult& result, const Seconds& seconds,
+                const gr::Accelerator& accelerator, const Bytes& bytes) {
     Tcl_Obj* rays = Tcl_NewDictObj();
     put(rays, "camera", wide(result.rays.camera));
     put(rays, "shadow", wide(result.rays.shadow));
@@ -174,10 +189,20 @@ Tcl_Obj* report(Call& call, const render::RenderResult& result, double seconds, 
     put(rays, "refractive", wide(result.rays.refractive));
     Tcl_Obj* dict = Tcl_NewDictObj();
     put(dict, "file", call.words.object(1));
-    put(dict, "seconds", Tcl_NewDoubleObj(seconds));
+    put(dict, "seconds", Tcl_NewDoubleObj(seconds.whole));
     put(dict, "samples", wide(result.samples));
     put(dict, "rays", rays);
-    put(dict, "bytes", wide(bytes));
+    const double rayCount = static_cast<double>(std::max<std::uint64_t>(result.rays.total(), 1));
+    put(dict, "tests", Tcl_NewDoubleObj(static_cast<double>(result.rays.traversal.tests) / rayCount));
+    put(dict, "cells", Tcl_NewDoubleObj(static_cast<double>(result.rays.traversal.cells) / rayCount));
+    put(dict, "accelerator", textObject(accelerator.description()));
+    put(dict, "build", Tcl_NewDoubleObj(seconds.build));
+    put(dict, "bytes", wide(bytes.scene + bytes.accelerator + bytes.picture));
+    Tcl_Obj* memory = Tcl_NewDictObj();
+    put(memory, "scene", wide(bytes.scene));
+    put(memory, "accelerator", wide(bytes.accelerator));
+    put(memory, "picture", wide(bytes.picture));
+    put(dict, "memory", memory);
     put(dict, "threads", Tcl_NewIntObj(result.threads));
     put(dict, "stopped", textObject("samplesperpixel"));
     put(dict, "dropped", wide(result.droppedSamples));
@@ -214,7 +239,9 @@ Tcl_Obj* renderCommand(Call& call) {
 
     // Render.
     const auto start = std::chrono::steady_clock::now();
-    const auto accelerator = gr::makeNoAccelerator(scene);
+    const auto accelerator =
+        gr::makeAccelerator(job.settings.accelerator, scene, core::threadCount(job.settings.threads));
+    const double buildSeconds = secondsSince(start);
     const auto integrator =
         render::makeReportIntegrator(scene, *accelerator, job.settings, job.ambient, core::Vec3f(job.eye));
     render::Film film(job.width, job.height, job.startLine(), job.lines());
@@ -223,9 +250,9 @@ Tcl_Obj* renderCommand(Call& call) {
 
     // Write the picture, and say what was done.
     file.write(film, job.settings.exposure, metadataOf(job, call.interp));
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    if (job.settings.progress) printSummary(job, result, seconds.count());
-    return report(call, result, seconds.count(), scene.bytes() + accelerator->bytes() + film.bytes());
+    const Seconds seconds{buildSeconds, secondsSince(start)};
+    if (job.settings.progress) printSummary(job, result, seconds.whole);
+    return report(call, result, seconds, *accelerator, {scene.bytes(), accelerator->bytes(), film.bytes()});
 }
 
 constexpr std::array<Command, 1> rows{{

@@ -1,6 +1,6 @@
 #include "render/render.h"
 
-#include "render/parallel.h"
+#include "core/parallel.h"
 
 #include <mutex>
 
@@ -88,10 +88,10 @@ RenderResult render(const Integrator& integrator, const Camera& camera, const Re
     const int columns = (film.width() + tileSize - 1) / tileSize;
     const int rows = (film.lines() + tileSize - 1) / tileSize;
     RenderResult result;
-    result.threads = threadCount(settings.threads);
+    result.threads = core::threadCount(settings.threads);
     std::mutex resultMutex;
 
-    parallelFor(rows * columns, result.threads, [&](int tile) {
+    core::parallelFor(rows * columns, result.threads, [&](int tile) {
         if (stop.load(std::memory_order_relaxed)) return;
         Tally tally(progress);
         const int left = tile % columns * tileSize;

@@ -18,22 +18,27 @@ core::Frame<float> frameOf(const gr::SurfacePoint& surface, const Vec3f& normal)
     return isAnisotropic ? core::Frame<float>(normal, surface.tangent()) : core::Frame<float>(normal);
 }
 
-// A surface point as the path sees it: the normal is turned to where the path comes from.
+// A surface point as the path sees it: the normals are turned to where the path comes from.
 struct ShadingPoint {
     gr::SurfacePoint surface;
     bool fromOutside;
-    core::Frame<float> frame;
+    Vec3f normal;
+    core::Frame<float> frame;  // round the shading normal
     Vec3f wo;  // back along the path, in the frame
     const Dielectric* dielectric;  // null for what is opaque: there both sides are alike
 
     ShadingPoint(const gr::Scene& scene, const Rayf& ray, const gr::Hit& hit)
         : surface(scene.surfaceAt(ray, hit)),
           fromOutside(glm::dot(ray.direction, surface.normal) < 0),
-          frame(frameOf(surface, fromOutside ? surface.normal : -surface.normal)),
+          normal(fromOutside ? surface.normal : -surface.normal),
+          frame(frameOf(surface, fromOutside ? surface.shadingNormal() : -surface.shadingNormal())),
           wo(frame.toLocal(-ray.direction)),
           dielectric(std::get_if<Dielectric>(surface.material)) {}
 
-    Rgbf eval(const Vec3f& wi) const {
+    // f * |cos| towards light in a direction of the world.
+    Rgbf eval(const Vec3f& direction) const {
+        const Vec3f wi = frame.toLocal(direction);
+        if (isOnWrongSide(wi)) return Rgbf(0);
         return std::visit([&](const auto& bsdf) { return bsdf.template eval<float>(wo, wi); }, *surface.material);
     }
     // One of the material's ways to go on, and a direction that it takes.
@@ -47,10 +52,13 @@ struct ShadingPoint {
         };
         return std::visit(draw, *surface.material);
     }
-    // The ray that goes on in direction wi of the frame.
-    Rayf rayTowards(const Vec3f& wi) const {
-        return {surface.offset(wi.z < 0 ? -frame.z : frame.z), frame.toWorld(wi)};
+    // Whether a direction of the frame is above the surface as it is shaded and below it as it lies, or the other way
+    // round: light from there would shine through the surface.
+    bool isOnWrongSide(const Vec3f& wi) const {
+        return surface.isSmooth && (glm::dot(frame.toWorld(wi), normal) > 0) != (wi.z > 0);
     }
+    // The ray that goes on in direction wi of the frame.
+    Rayf rayTowards(const Vec3f& wi) const { return {surface.offset(wi.z < 0 ? -normal : normal), frame.toWorld(wi)}; }
     Rgbf ambientReflectance() const {
         return std::visit([](const auto& bsdf) { return bsdf.ambientReflectance(); }, *surface.material);
     }
@@ -85,7 +93,7 @@ public:
         ++rays.camera;
         for (int surfacePoints = 1;; ++surfacePoints) {
             // Find the nearest surface; a path that leaves the scene ends in the background.
-            const std::optional<gr::Hit> hit = accelerator_.intersect(ray);
+            const std::optional<gr::Hit> hit = accelerator_.intersect(ray, rays.traversal);
             if (!hit) return radiance + throughput * media.transmittance(core::infinity) * background_;
             const ShadingPoint point(scene_, ray, *hit);
 
@@ -105,7 +113,7 @@ public:
 
             // Go on in a direction drawn by the material.
             const BsdfSample<float> next = point.sample(sampler, media);
-            if (!next.valid) return radiance;
+            if (!next.valid || point.isOnWrongSide(next.wi)) return radiance;
             throughput *= next.weight;
             if (throughput == Rgbf(0)) return radiance;
             countsEmission = !next.isLit;
@@ -125,7 +133,7 @@ private:
 
     Rgbf directLight(const ShadingPoint& point, const Media& media, Sampler& sampler, RayCounts& rays) const {
         Rgbf sum(0);
-        const Vec3f start = point.surface.offset(point.frame.z);
+        const Vec3f start = point.surface.offset(point.normal);
         for (const gr::AreaLight& light : scene_.areaLights) {
             // The mean of M samples, each of them f * cos * radiance / pdf.
             Rgbf lightSum(0);
@@ -146,10 +154,10 @@ private:
     // What the surface reflects of a light sample towards the eye, black where something stands between.
     Rgbf reflected(const ShadingPoint& point, const Media& media, const gr::LightSample<float>& sample,
                    const Rayf& shadowRay, RayCounts& rays) const {
-        const Rgbf light = point.eval(point.frame.toLocal(sample.wi)) * sample.weight;
+        const Rgbf light = point.eval(sample.wi) * sample.weight;
         if (light == Rgbf(0)) return light;
         ++rays.shadow;
-        if (accelerator_.occluded(shadowRay)) return Rgbf(0);
+        if (accelerator_.occluded(shadowRay, rays.traversal)) return Rgbf(0);
         return light * media.transmittance(glm::length(shadowRay.direction));
     }
 

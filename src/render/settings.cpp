@@ -1,21 +1,22 @@
 #include "render/settings.h"
 
+#include "gr/accelerator.h"
+
 #include <array>
 
 namespace render {
 namespace {
 
-constexpr std::array<core::Word, 2> accelerators{"off", "on"};
 constexpr std::array<core::Word, 1> integrators{"report"};
 constexpr core::Range atLeastOne{.least = 1, .most = 2147483647};
 constexpr core::Range line{.least = 0, .most = 999999};
 
 using S = RenderSettings;
 
-constexpr std::array<core::OptionRow<S>, 17> rows{{
+const std::array<core::OptionRow<S>, 17> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
-     .words = accelerators,
+     .words = gr::acceleratorNames(),
      .help = "how the object is found that a ray meets; every choice gives the same picture"},
     {.name = "globalillumination",
      .alias = "globalilllumination",

@@ -11,6 +11,21 @@ namespace {
 
 using Faces = std::vector<std::vector<int>>;
 
+// The steps work on flat meshes; the tests read better with faces that are lists.
+template<class Step>
+MeshRepairs apply(Step&& step, PolygonMesh& mesh) {
+    FlatMesh flat(mesh);
+    MeshRepairs repairs;
+    step(flat, repairs);
+    mesh.faces.clear();
+    for (int f = 0; f < flat.faceCount(); ++f) mesh.faces.emplace_back(flat.face(f).begin(), flat.face(f).end());
+    return repairs;
+}
+
+glm::dvec3 faceNormal(const PolygonMesh& mesh, const std::vector<int>& face) {
+    return gr::faceNormal(mesh.vertices, face);
+}
+
 // [-1, 1]^3, faces outwards.
 PolygonMesh cube() {
     PolygonMesh mesh;
@@ -39,15 +54,11 @@ void expectOutwards(const PolygonMesh& mesh, const glm::dvec3& inside) {
 }
 
 MeshRepairs orient(PolygonMesh& mesh) {
-    MeshRepairs repairs;
-    orientFaces(mesh, repairs);
-    return repairs;
+    return apply(orientFaces, mesh);
 }
 
 MeshRepairs drop(PolygonMesh& mesh) {
-    MeshRepairs repairs;
-    dropDegenerate(mesh, repairs);
-    return repairs;
+    return apply(dropDegenerate, mesh);
 }
 
 TEST(MeshRepairs, TextSaysWhatWasMended) {
@@ -60,9 +71,11 @@ TEST(MeshRepairs, TextSaysWhatWasMended) {
     EXPECT_EQ((MeshRepairs{0, 0, 2, 0}.text()), "2 faces without area dropped");
     EXPECT_EQ((MeshRepairs{0, 0, 0, 1}.text()), "1 wrong-way face turned");
     EXPECT_EQ((MeshRepairs{0, 0, 0, 2}.text()), "2 wrong-way faces turned");
-    EXPECT_EQ((MeshRepairs{1, 2, 3, 4}.text()),
+    EXPECT_EQ((MeshRepairs{0, 0, 0, 0, 1}.text()), "1 self-crossing face dropped");
+    EXPECT_EQ((MeshRepairs{0, 0, 0, 0, 0, 1}.text()), "1 line or point left out");
+    EXPECT_EQ((MeshRepairs{1, 2, 3, 4, 5, 6}.text()),
               "1 duplicate vertex merged, 2 degenerate vertices dropped, 3 faces without area dropped, "
-              "4 wrong-way faces turned");
+              "4 wrong-way faces turned, 5 self-crossing faces dropped, 6 lines and points left out");
 }
 
 TEST(FaceNormal, IsTwiceTheAreaByTheRightHand) {
@@ -75,8 +88,7 @@ TEST(FaceNormal, IsTwiceTheAreaByTheRightHand) {
 
 TEST(MergeVertices, LetsTheFirstOfThemStandForAll) {
     PolygonMesh mesh{{{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {0, -0.0, 0}, {1, 2, 3}, {1, 2, 4}}, {{0, 1, 5}, {2, 3, 4, 5}}};
-    MeshRepairs repairs;
-    mergeVertices(mesh, repairs);
+    const MeshRepairs repairs = apply(mergeVertices, mesh);
     EXPECT_EQ(repairs.mergedVertices, 3);
     EXPECT_EQ(mesh.faces, (Faces{{0, 1, 5}, {0, 1, 0, 5}}));
 }
@@ -84,8 +96,7 @@ TEST(MergeVertices, LetsTheFirstOfThemStandForAll) {
 TEST(MergeVertices, LeavesNeighboursApart) {
     const double next = std::nextafter(1.0, 2.0);
     PolygonMesh mesh{{{1, 0, 0}, {next, 0, 0}, {1, 0, 1e-300}}, {{0, 1, 2}}};
-    MeshRepairs repairs;
-    mergeVertices(mesh, repairs);
+    const MeshRepairs repairs = apply(mergeVertices, mesh);
     EXPECT_EQ(repairs.text(), "");
     EXPECT_EQ(mesh.faces, (Faces{{0, 1, 2}}));
 }

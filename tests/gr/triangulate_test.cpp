@@ -10,6 +10,20 @@ namespace {
 
 using Outline = std::vector<glm::dvec2>;
 
+// As vertices; a face that crosses itself is an error.
+std::vector<glm::ivec3> triangulate(const PolygonMesh& mesh) {
+    const FlatMesh flat(mesh);
+    MeshRepairs repairs;
+    std::vector<glm::ivec3> triangles = gr::triangulate(flat, Crossing::isAnError, repairs);
+    for (glm::ivec3& triangle : triangles)
+        triangle = {flat.corners[triangle.x], flat.corners[triangle.y], flat.corners[triangle.z]};
+    return triangles;
+}
+
+glm::dvec3 faceNormal(const PolygonMesh& mesh, const std::vector<int>& face) {
+    return gr::faceNormal(mesh.vertices, face);
+}
+
 Outline star(int points, double inner) {
     Outline outline;
     for (int i = 0; i < 2 * points; ++i) {

@@ -1,7 +1,7 @@
 // From an integrator to a film: what must not change a picture, and what must.
 #include "render/render.h"
 
-#include "render/parallel.h"
+#include "core/parallel.h"
 #include "render/test_scene.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST_F(Rendering, IsTheSameToTheBitOnAnyNumberOfThreads) {
         const Picture many = rendered();
         EXPECT_EQ(many.pixels, one.pixels) << threads << " threads";
         EXPECT_EQ(many.result.rays.total(), one.result.rays.total());
-        EXPECT_EQ(many.result.threads, threadCount(threads));
+        EXPECT_EQ(many.result.threads, core::threadCount(threads));
     }
 }
 

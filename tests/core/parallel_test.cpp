@@ -1,5 +1,5 @@
 // Loops over threads.
-#include "render/parallel.h"
+#include "core/parallel.h"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace render {
+namespace core {
 namespace {
 
 TEST(ParallelFor, CallsEveryTaskOnce) {
@@ -56,4 +56,4 @@ TEST(ThreadCount, IsWhatIsAskedForOrAllCores) {
 }
 
 }  // namespace
-}  // namespace render
+}  // namespace core

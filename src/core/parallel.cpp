@@ -1,4 +1,4 @@
-#include "render/parallel.h"
+#include "core/parallel.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -8,7 +8,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace render {
+namespace core {
 namespace {
 
 // Distributions' libtbb is not compiled for ThreadSanitizer, which therefore does not see that a loop's tasks begin
@@ -60,4 +60,4 @@ void parallelFor(int count, int threads, const std::function<void(int)>& task) {
     ForkJoin::join();
 }
 
-}  // namespace render
+}  // namespace core

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-namespace render {
+namespace core {
 
 // The number of threads that `threads` asks for, 0 being all cores.
 int threadCount(int threads);
@@ -12,4 +12,4 @@ int threadCount(int threads);
 // tasks wrote can then be read.
 void parallelFor(int count, int threads, const std::function<void(int)>& task);
 
-}  // namespace render
+}  // namespace core

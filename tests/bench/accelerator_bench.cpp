@@ -1,0 +1,178 @@
+// Finding what rays meet: lattices of spheres that fill the same part of the picture however many they are, and a mesh.
+// Each benchmark traces a picture's camera rays, and from what they meet a shadow ray each, on one thread.
+#include "gr/database.h"
+#include "gr/scene.h"
+#include "native_embree.h"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+
+namespace {
+
+using core::Vec3f;
+
+gr::Scene sphereLattice(int n) {
+    gr::Database database;
+    const double step = 2. / n;
+    for (int x = 0; x < n; ++x)
+        for (int z = 0; z < n; ++z)
+            database.create(":", "s" + std::to_string(x * n + z),
+                            gr::SphereNode{{step * (x + 0.5) - 1, 0, step * (z + 0.5) - 1}, 0.4 * step});
+    return gr::compile(database, ":", {});
+}
+
+// Of 2 * sides * (rings - 1) triangles.
+gr::PolygonMesh sphereMesh(int rings, int sides) {
+    gr::PolygonMesh mesh;
+    for (int ring = 1; ring < rings; ++ring)
+        for (int side = 0; side < sides; ++side) {
+            const double theta = M_PI * ring / rings, phi = 2 * M_PI * side / sides;
+            mesh.vertices.push_back(
+                {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)});
+        }
+    const int north = sides * (rings - 1), south = north + 1;
+    mesh.vertices.push_back({0, 1, 0});
+    mesh.vertices.push_back({0, -1, 0});
+    for (int side = 0; side < sides; ++side) {
+        const int next = (side + 1) % sides, last = (rings - 2) * sides;
+        mesh.faces.push_back({north, next, side});
+        mesh.faces.push_back({south, last + side, last + next});
+        for (int ring = 0; ring + 2 < rings; ++ring)
+            mesh.faces.push_back(
+                {ring * sides + side, ring * sides + next, (ring + 1) * sides + next, (ring + 1) * sides + side});
+    }
+    return mesh;
+}
+
+// Another resolution along than round makes the triangles even, but at the poles.
+gr::Scene meshScene() {
+    gr::MeshRepairs repairs;
+    gr::Database database;
+    database.create(":", "mesh", gr::PolyhedronNode{gr::Polyhedron::make(sphereMesh(160, 314), repairs)});
+    return gr::compile(database, ":", {});
+}
+
+// Every scene is made once.
+const gr::Scene& sceneOf(int n) {
+    static std::map<int, gr::Scene> scenes;
+    const auto [entry, isNew] = scenes.try_emplace(n);
+    if (isNew) entry->second = n == 0 ? meshScene() : sphereLattice(n);
+    return entry->second;
+}
+
+std::vector<core::Rayf> cameraRays() {
+    constexpr int size = 256;
+    const Vec3f eye(0.3f, 3, -3), forward = glm::normalize(-eye);
+    const Vec3f right = glm::normalize(glm::cross(forward, Vec3f(0, 1, 0))), up = glm::cross(right, forward);
+    std::vector<core::Rayf> rays;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const float u = (static_cast<float>(x) + 0.5f) / size - 0.5f,
+                        v = (static_cast<float>(y) + 0.5f) / size - 0.5f;
+            rays.push_back({eye, glm::normalize(forward + (right * u + up * v) * 0.6f)});
+        }
+    return rays;
+}
+
+// Traces the picture and returns how many rays that took.
+template<class Intersect, class Occluded>
+int trace(const std::vector<core::Rayf>& rays, Intersect&& intersect, Occluded&& occluded) {
+    const Vec3f light(4, 6, -1);
+    int count = 0;
+    for (const core::Rayf& ray : rays) {
+        ++count;
+        const float t = intersect(ray);
+        if (t == core::infinity) continue;
+        const Vec3f start = ray.origin + ray.direction * (t * 0.9999f);
+        benchmark::DoNotOptimize(occluded(core::Rayf{start, light - start, 1}));
+        ++count;
+    }
+    return count;
+}
+
+void setRate(benchmark::State& state, int raysEach) {
+    state.counters["Mrays/s"] =
+        benchmark::Counter(1e-6 * raysEach * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+std::size_t objectCount(const gr::Scene& scene) {
+    std::size_t count = 0;
+    for (const auto& polyhedron : scene.polyhedra) count += polyhedron->triangleCount();
+    return count > 0 ? count : scene.instances.size();
+}
+
+void traceScene(benchmark::State& state, const char* name, int n) {
+    const gr::Scene& scene = sceneOf(n);
+    const auto accelerator = gr::makeAccelerator(name, scene, 1);
+    const std::vector<core::Rayf> rays = cameraRays();
+    gr::TraversalCounts counts;
+    const auto intersect = [&](const core::Rayf& ray) {
+        const auto hit = accelerator->intersect(ray, counts);
+        return hit ? hit->t : core::infinity;
+    };
+    const auto occluded = [&](const core::Rayf& ray) { return accelerator->occluded(ray, counts); };
+    int count = trace(rays, intersect, occluded);
+    counts = {};
+    for (auto _ : state) count = trace(rays, intersect, occluded);
+    setRate(state, count);
+    const double all = static_cast<double>(count) * static_cast<double>(state.iterations());
+    state.counters["tests/ray"] = static_cast<double>(counts.tests) / all;
+    state.counters["cells/ray"] = static_cast<double>(counts.cells) / all;
+}
+
+void traceNative(benchmark::State& state) {
+    const bench::NativeMesh mesh(*sceneOf(0).polyhedra[0]);
+    const std::vector<core::Rayf> rays = cameraRays();
+    int count = 0;
+    for (auto _ : state)
+        count = trace(
+            rays, [&](const core::Rayf& ray) { return mesh.intersect(ray); },
+            [&](const core::Rayf& ray) { return mesh.occluded(ray); });
+    setRate(state, count);
+}
+
+void build(benchmark::State& state, const char* name, int n) {
+    const gr::Scene& scene = sceneOf(n);
+    std::size_t bytes = 0;
+    for (auto _ : state) bytes = gr::makeAccelerator(name, scene, 1)->bytes();
+    const auto objects = static_cast<double>(objectCount(scene));
+    state.counters["bytes each"] = static_cast<double>(bytes) / objects;
+    state.counters["scene's, each"] = static_cast<double>(scene.bytes()) / objects;
+}
+
+void addAll() {
+    for (const char* name : {"off", "grid", "embree"}) {
+        for (const int n : {2, 4, 10, 32, 100, 320, 1000}) {
+            if (std::string(name) == "off" && n > 32) continue;
+            const std::string label = "/" + std::string(name) + "/" + std::to_string(n * n);
+            benchmark::RegisterBenchmark(("spheres" + label).c_str(), [=](auto& s) {
+                traceScene(s, name, n);
+            })->Unit(benchmark::kMillisecond);
+        }
+        if (std::string(name) == "off") continue;
+        const std::string label = std::string("/") + name;
+        benchmark::RegisterBenchmark(("mesh" + label).c_str(), [=](auto& s) {
+            traceScene(s, name, 0);
+        })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("build spheres" + label + "/1000000").c_str(), [=](auto& s) {
+            build(s, name, 1000);
+        })->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("build mesh" + label).c_str(), [=](auto& s) {
+            build(s, name, 0);
+        })->Unit(benchmark::kMillisecond);
+    }
+    // Embree's own triangles, whose hits are not bit by bit those of the others.
+    benchmark::RegisterBenchmark("mesh/embree's own triangles", traceNative)->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    benchmark::Initialize(&count, words);
+    if (benchmark::ReportUnrecognizedArguments(count, words)) return 1;
+    addAll();
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,144 @@
+// Meshes with normals of their own: how they are shaded, and that no light comes from where there is none.
+// Seen to fail with the check of sides left out of the light samples, of the bounces, and with the normal not bent.
+#include "gr/random_shapes.h"
+#include "render/converges.h"
+
+namespace render {
+namespace {
+
+// A coarse sphere of radius 1 whose corners have the true sphere's normals.
+std::shared_ptr<const gr::Polyhedron> smoothBall(int cuts) {
+    gr::FlatMesh mesh(gr::icosphereMesh(cuts));
+    for (const int corner : mesh.corners) mesh.normals.push_back(gr::packNormal(core::Vec3f(mesh.vertices[corner])));
+    gr::MeshRepairs repairs;
+    return gr::Polyhedron::make(std::move(mesh), repairs);
+}
+
+// From all round, to places on and near the rim, too.
+core::Rayf rayOf(int i) {
+    const double z = 0.97 - 0.0137 * (i % 141), radius = std::sqrt(1 - z * z), angle = 2.399963 * i;
+    const glm::dvec3 from(radius * std::cos(angle), radius * std::sin(angle), z);
+    const glm::dvec3 target(std::cos(1.7 * i), std::sin(2.3 * i), std::cos(3.1 * i));
+    return rayTowards(4.0 * from, 0.6 * target);
+}
+
+struct Ball : TestScene {
+    explicit Ball(const materials::Material& material, int cuts = 1) {
+        database.create(":", "ball", gr::PolyhedronNode{smoothBall(cuts)});
+        database.addMaterial("surface", material);
+        database.setMaterial(":ball", "surface");
+        settings.globalIllumination = true;
+    }
+    std::optional<gr::SurfacePoint> meet(const core::Rayf& ray) {
+        if (!scene) scene = std::make_unique<gr::Scene>(gr::compile(database, ":", pointLights));
+        const auto hit = gr::makeNoAccelerator(*scene)->intersect(ray);
+        if (!hit) return std::nullopt;
+        return scene->surfaceAt(ray, *hit);
+    }
+
+    std::unique_ptr<gr::Scene> scene;
+};
+
+TEST(SmoothMesh, TheNormalIsTheSpheresAndOnTheRaysSide) {
+    Ball ball(materials::Diffuse{}, 1);
+    ball.database.scale(":ball", {0, 0, 0}, {1, -2, 0.5});
+    int met = 0, bent = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const core::Rayf ray = rayOf(i);
+        const auto surface = ball.meet(ray);
+        if (!surface) continue;
+        ++met;
+        const core::Vec3f& p = surface->position;
+        const core::Vec3f ofSphere = glm::normalize(core::Vec3f(p.x, p.y / 4, p.z * 4));
+        EXPECT_NEAR(glm::length(surface->shadingNormal()), 1, 1e-5);
+        EXPECT_LT(glm::dot(ray.direction, surface->normal), 0);
+        EXPECT_LT(glm::dot(ray.direction, surface->shadingNormal()), 0);
+        EXPECT_GT(glm::dot(surface->normal, surface->shadingNormal()), 0);
+        const bool isBent = glm::dot(ray.direction, ofSphere) > -0.01f;
+        bent += isBent;
+        if (!isBent) {
+            EXPECT_GT(glm::dot(surface->shadingNormal(), ofSphere), 0.98f);
+        }
+    }
+    EXPECT_GT(met, 1000);
+    EXPECT_GT(bent, 5);
+}
+
+// R_d I cos to the shading normal, and nothing where the light is behind the surface or behind the normal.
+TEST(SmoothMesh, NoLightBehindTheTerminator) {
+    const core::Vec3f lamp(300, 100, -200);
+    Ball ball(materials::Diffuse{{0.5f, 0.25f, 1}});
+    ball.addPointLight("sun", {glm::dvec3(lamp), {2, 2, 2}, core::Vec3f(1, 0, 0)});
+    ball.settings.pathLength = 1;
+    const Radiometer radiometer(ball);
+    int dark = 0, lit = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const core::Rayf ray = rayOf(i);
+        const auto surface = ball.meet(ray);
+        if (!surface) continue;
+        const core::Vec3f light = glm::normalize(lamp - surface->position);
+        const float cosine = glm::dot(surface->shadingNormal(), light);
+        const bool isBehind = glm::dot(surface->normal, light) <= 0;
+        const core::Rgbf seen = radiometer.sample(ray, 1, 0);
+        const core::Rgbf expected = isBehind || cosine <= 0 ? core::Rgbf(0) : core::Rgbf(1, 0.5f, 2) * cosine;
+        EXPECT_TRUE(isNear(seen, expected)) << i;
+        dark += isBehind && cosine > 0;
+        lit += expected.x > 0;
+    }
+    EXPECT_GT(dark, 20);
+    EXPECT_GT(lit, 500);
+}
+
+TEST(SmoothMesh, IsNoBrighterThanTheSkyThatItReflects) {
+    const core::Rgbf reflectance(0.8f, 0.5f, 1);
+    for (const int cuts : {0, 1, 3}) {
+        Ball ball(materials::Diffuse{reflectance}, cuts);
+        ball.settings.background = {5, 3, 2};
+        const Radiometer radiometer(ball);
+        double least = 1;
+        for (int i = 0; i < 40; ++i) {
+            const core::Rayf ray = rayOf(i);
+            if (!ball.meet(ray)) continue;
+            const RgbMean mean = radiometer.measure(ray, 4000, 1);
+            for (int channel = 0; channel < 3; ++channel) {
+                const double whole = reflectance[channel] * core::Rgbf(5, 3, 2)[channel];
+                EXPECT_LT(mean[channel].mean(), whole + 5 * mean[channel].standardError()) << "ray " << i;
+                least = std::min(least, mean[channel].mean() / whole);
+            }
+        }
+        EXPECT_GT(least, cuts == 3 ? 0.9 : 0.3);
+    }
+}
+
+// A path that goes on from a convex body never meets it again, so it brings nothing behind the first point.
+TEST(SmoothMesh, AConvexBallDoesNotLightItself) {
+    Ball ball(materials::Diffuse{{1, 1, 1}});
+    ball.addPointLight("sun", {{300, 100, -200}, {2, 2, 2}, core::Vec3f(1, 0, 0)});
+    ball.settings.pathLength = 1;
+    const Radiometer direct(ball);
+    ball.settings.pathLength = 2;
+    const Radiometer whole(ball);
+    for (int i = 0; i < 20000; ++i) EXPECT_EQ(whole.sample(rayOf(i), 1, i), direct.sample(rayOf(i), 1, i)) << i;
+}
+
+// Lights and sky stand outside of a closed mesh: nothing of them is seen in it.
+TEST(SmoothMesh, NoLightComesThrough) {
+    const materials::Material matt = materials::Diffuse{{1, 1, 1}, core::Weights{1, 1, 0, 0}, 30};
+    const materials::Material shiny = materials::Shirley{};
+    for (const materials::Material& material : {matt, shiny}) {
+        Ball ball(material, 1);
+        ball.settings.background = {9, 9, 9};
+        ball.settings.pathLength = 6;
+        ball.addPointLight("lamp", {{0.2, 3, -0.4}, {9, 9, 9}, core::Vec3f(1, 0, 0)});
+        ball.addAreaLight("panel", {9, 9, 9}, {0, 2, 0}, 3);
+        const Radiometer radiometer(ball);
+        for (int i = 0; i < 2000; ++i) {
+            const core::Rayf outside = rayOf(i);
+            const core::Rayf ray = {outside.origin * 0.15f, outside.direction};
+            EXPECT_EQ(radiometer.sample(ray, 1, i), core::Rgbf(0));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace render
