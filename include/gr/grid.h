@@ -15,6 +15,9 @@ namespace gr {
 
 class Grid {
 public:
+    // Of a mesh.
+    static constexpr std::uint32_t trianglesPerItem = 1;
+
     // bounds: of the items 0 to n - 1. They must hold every point at which an item may be reported to be hit by a ray
     // that starts at the origin; one that starts or hits at distance x from there may be off by errorPerUnit * x more.
     // threads: to build it with.

@@ -44,7 +44,7 @@ std::string importer() {
     return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "grsh_import";
 }
 
-// The importer's environment. It makes millions of small things: large pages save a third of its time.
+// The importer's environment. It makes millions of small things, for which large pages are quicker.
 std::vector<const char*> environment() {
     std::vector<const char*> variables;
     for (char** variable = environ; *variable != nullptr; ++variable) variables.push_back(*variable);

@@ -2,6 +2,7 @@
 // Each benchmark traces a picture's camera rays, and from what they meet a shadow ray each, on one thread.
 #include "gr/database.h"
 #include "gr/scene.h"
+#include "gr/uv_sphere_mesh.h"
 #include "native_embree.h"
 
 #include <benchmark/benchmark.h>
@@ -24,34 +25,11 @@ gr::Scene sphereLattice(int n) {
     return gr::compile(database, ":", {});
 }
 
-// Of 2 * sides * (rings - 1) triangles.
-gr::PolygonMesh sphereMesh(int rings, int sides) {
-    gr::PolygonMesh mesh;
-    for (int ring = 1; ring < rings; ++ring)
-        for (int side = 0; side < sides; ++side) {
-            const double theta = M_PI * ring / rings, phi = 2 * M_PI * side / sides;
-            mesh.vertices.push_back(
-                {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)});
-        }
-    const int north = sides * (rings - 1), south = north + 1;
-    mesh.vertices.push_back({0, 1, 0});
-    mesh.vertices.push_back({0, -1, 0});
-    for (int side = 0; side < sides; ++side) {
-        const int next = (side + 1) % sides, last = (rings - 2) * sides;
-        mesh.faces.push_back({north, next, side});
-        mesh.faces.push_back({south, last + side, last + next});
-        for (int ring = 0; ring + 2 < rings; ++ring)
-            mesh.faces.push_back(
-                {ring * sides + side, ring * sides + next, (ring + 1) * sides + next, (ring + 1) * sides + side});
-    }
-    return mesh;
-}
-
 // Another resolution along than round makes the triangles even, but at the poles.
 gr::Scene meshScene() {
     gr::MeshRepairs repairs;
     gr::Database database;
-    database.create(":", "mesh", gr::PolyhedronNode{gr::Polyhedron::make(sphereMesh(160, 314), repairs)});
+    database.create(":", "mesh", gr::PolyhedronNode{gr::Polyhedron::make(gr::uvSphereMesh(160, 314), repairs)});
     return gr::compile(database, ":", {});
 }
 

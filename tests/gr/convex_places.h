@@ -95,6 +95,9 @@ struct ConvexPlace {
     }
 };
 
+// Where nothing stands beside the shape.
+inline void alone(Database&, const ConvexPlace&) {}
+
 // Calls visit(place) for places of every size and distance, some of each. more: see ConvexPlace.
 template<class More, class Visit>
 void forEachPlace(const ConvexShape& shape, int placesOfEach, support::TestRandom& random, More&& more, Visit&& visit) {

@@ -11,8 +11,6 @@ namespace {
 using core::Rayf;
 using core::Vec3f;
 
-void alone(Database&, const ConvexPlace&) {}
-
 class CrossingTest : public testing::TestWithParam<std::size_t> {
 protected:
     CrossingTest() : shape_(convexShapes()[GetParam()]) {}

@@ -71,4 +71,10 @@ support::RunningMean sampledWeight(const M& material, const core::Vec3f& wo) {
     return weight;
 }
 
+// Whether the mean of the weights passes the suite's z-test.
+template<class M>
+bool albedoIsAccepted(const M& material, const core::Vec3f& wo) {
+    return support::zTest(sampledWeight(material, wo), expectedWeight(material, wo)).accepted;
+}
+
 }  // namespace materials
