@@ -37,9 +37,6 @@ class EmbreeTree {
 public:
     using BoundsOf = std::function<core::Bounds(std::uint32_t)>;
 
-    // Of a mesh: the two halves of a four-sided face lie side by side. As fast as one by one, in half the memory.
-    static constexpr std::uint32_t trianglesPerItem = 2;
-
     // boundsOf: of the items 0 to count - 1. They must hold every point at which an item may be reported to be hit by a
     // ray that starts at the origin; one that starts or hits at distance x from there may be off by errorPerUnit * x
     // more. The device must outlive the tree. threads: to build it with.

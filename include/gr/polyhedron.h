@@ -65,8 +65,11 @@ public:
     // Replaces `nearest` by the hit of a triangle that comes before it. instance: what stands here for the polyhedron.
     void intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const;
     bool occluded(const PackRay& ray) const;
-    // The same for one triangle, bit by bit.
-    TriangleHit<float> intersect(const TriangleRay<float>& ray, std::uint32_t triangle) const;
+    // The same for one of the packs that the triangles lie in, near ones together.
+    void intersect(const PackRay& ray, std::uint32_t pack, std::uint32_t instance, Hit& nearest) const;
+    bool occluded(const PackRay& ray, std::uint32_t pack) const;
+    std::size_t packCount() const;
+    core::Bounds packBounds(std::uint32_t pack) const;
     ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const;
 
     // Whether it has normals of its own for shading,
@@ -81,7 +84,7 @@ public:
     std::size_t bytes() const;
 
 private:
-    Polyhedron(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);
+    Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles);
     void setTriangle(const FlatMesh& mesh, const glm::ivec3& corners, std::size_t triangle);
     void setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);
 

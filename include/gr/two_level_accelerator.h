@@ -14,7 +14,7 @@ namespace gr {
 // Index: whatever finds the items near a ray by their bounds:
 //     walk(ray, nearest, counts, visit)
 // calls visit(item) for them until it returns true, or nothing nearer than `nearest`, which visit may lower, can
-// follow. Index::trianglesPerItem of a mesh, one behind the other, are an item.
+// follow. The items of a mesh are its packs of triangles.
 template<class Index>
 class TwoLevelAccelerator : public Accelerator {
 public:
@@ -29,8 +29,8 @@ public:
             [&scene](std::uint32_t i) { return scene.instances[i].bounds(); }, largestErrorPerUnit());
         for (const auto& polyhedron : scene.polyhedra)
             if (polyhedron->triangleCount() > mostTrianglesWithoutIndex)
-                meshes_.emplace(polyhedron.get(), make((triangleCount(*polyhedron) + perItem - 1) / perItem,
-                                                       triangleBounds(*polyhedron), triangleErrorPerUnit));
+                meshes_.emplace(polyhedron.get(), make(static_cast<std::uint32_t>(polyhedron->packCount()),
+                                                       packBounds(*polyhedron), triangleErrorPerUnit));
     }
 
     std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const override {
@@ -69,20 +69,6 @@ private:
     static constexpr float unitRoundoff = 0x1p-24f;
     static constexpr float triangleErrorPerUnit = 64 * unitRoundoff;
     static constexpr std::size_t mostTrianglesWithoutIndex = 16;
-    static constexpr std::uint32_t perItem = Index::trianglesPerItem;
-
-    static std::uint32_t triangleCount(const Polyhedron& polyhedron) {
-        return static_cast<std::uint32_t>(polyhedron.triangleCount());
-    }
-
-    // Calls visit(triangle) for those of an item until it returns true, and returns whether it did.
-    template<class Visit>
-    static bool forEachTriangle(const Polyhedron& polyhedron, std::uint32_t item, Visit&& visit) {
-        const std::uint32_t end = std::min((item + 1) * perItem, triangleCount(polyhedron));
-        for (std::uint32_t triangle = item * perItem; triangle < end; ++triangle)
-            if (visit(triangle)) return true;
-        return false;
-    }
 
     float largestErrorPerUnit() const {
         float largest = 0;
@@ -90,13 +76,9 @@ private:
         return 2 * largest + 8 * unitRoundoff;
     }
 
-    static BoundsOf triangleBounds(const Polyhedron& polyhedron) {
-        return [&polyhedron](std::uint32_t item) {
-            core::Bounds bounds;
-            forEachTriangle(polyhedron, item, [&](std::uint32_t triangle) {
-                for (int corner = 0; corner < 3; ++corner) bounds.include(polyhedron.vertex(triangle, corner));
-                return false;
-            });
+    static BoundsOf packBounds(const Polyhedron& polyhedron) {
+        return [&polyhedron](std::uint32_t pack) {
+            const core::Bounds bounds = polyhedron.packBounds(pack);
             return bounds.widened(triangleErrorPerUnit * bounds.reach());
         };
     }
@@ -109,20 +91,19 @@ private:
     void intersectShape(const Polyhedron* polyhedron, const core::Rayf& ray, std::uint32_t instance, Hit& nearest,
                         float& reach, TraversalCounts& counts) const {
         const auto mesh = meshes_.find(polyhedron);
+        const PackRay packRay(ray);
         if (mesh == meshes_.end()) {
-            polyhedron->intersect(PackRay(ray), instance, nearest);
+            counts.tests += polyhedron->triangleCount();
+            polyhedron->intersect(packRay, instance, nearest);
             reach = std::min(reach, nearest.t);
             return;
         }
-        const TriangleRay<float> triangleRay(ray);
-        const auto test = [&](std::uint32_t triangle) {
-            ++counts.tests;
-            const TriangleHit<float> found = polyhedron->intersect(triangleRay, triangle);
-            offer({found.t, instance, triangle, found.b1, found.b2}, nearest, reach);
+        mesh->second->walk(ray, reach, counts, [&](std::uint32_t pack) {
+            counts.tests += packWidth;
+            polyhedron->intersect(packRay, pack, instance, nearest);
+            reach = std::min(reach, nearest.t);
             return false;
-        };
-        mesh->second->walk(ray, reach, counts,
-                           [&](std::uint32_t item) { return forEachTriangle(*polyhedron, item, test); });
+        });
     }
 
     static void offer(const Hit& hit, Hit& nearest, float& reach) {
@@ -137,15 +118,16 @@ private:
     }
     bool isHit(const Polyhedron* polyhedron, const core::Rayf& ray, TraversalCounts& counts) const {
         const auto mesh = meshes_.find(polyhedron);
-        if (mesh == meshes_.end()) return polyhedron->occluded(PackRay(ray));
-        const TriangleRay<float> triangleRay(ray);
+        const PackRay packRay(ray);
+        if (mesh == meshes_.end()) {
+            counts.tests += polyhedron->triangleCount();
+            return polyhedron->occluded(packRay);
+        }
         bool isMet = false;
-        const auto test = [&](std::uint32_t triangle) {
-            ++counts.tests;
-            return polyhedron->intersect(triangleRay, triangle).t < core::infinity;
-        };
-        mesh->second->walk(ray, ray.tMax, counts,
-                           [&](std::uint32_t item) { return isMet = forEachTriangle(*polyhedron, item, test); });
+        mesh->second->walk(ray, ray.tMax, counts, [&](std::uint32_t pack) {
+            counts.tests += packWidth;
+            return isMet = polyhedron->occluded(packRay, pack);
+        });
         return isMet;
     }
 

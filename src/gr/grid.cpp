@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace gr {
 
@@ -15,128 +17,96 @@ using core::Vec3f;
 // Builds levels from the top down. What they hold does not depend on threads.
 class GridBuilder {
 public:
-    GridBuilder(Grid& grid, std::span<const Bounds> bounds, int threads)
-        : grid_(grid), bounds_(bounds), threads_(threads) {}
+    GridBuilder(Grid& grid, std::span<const Bounds> bounds, int threads, double refinement)
+        : grid_(grid), bounds_(bounds), threads_(threads), refinement_(refinement) {}
 
     void build() {
         std::vector<std::uint32_t> all(bounds_.size());
         std::iota(all.begin(), all.end(), 0u);
         Bounds box;
         for (const Bounds& item : bounds_) box.include(item);
-        Part whole;
-        addLevel(all, box, 0, whole);
+        Part whole = *levelFor(all, box, 0);
+        whole.items.shrink_to_fit();
         grid_.levels_ = std::move(whole.levels);
+        grid_.bricks_ = std::move(whole.bricks);
         grid_.cells_ = std::move(whole.cells);
-        takeItems(whole.items);
+        grid_.items_ = std::move(whole.items);
     }
 
 private:
     using Level = Grid::Level;
-    using Cell = Grid::Cell;
+    using Brick = Grid::Brick;
     using Items = std::span<const std::uint32_t>;
 
-    // Levels with their cells and items, each counted from the part's first.
+    // A level with those within it, each counted from the part's first.
     struct Part {
         std::vector<Level> levels;
-        std::vector<Cell> cells;
+        std::vector<Brick> bricks;
+        std::vector<std::uint32_t> cells;
         std::vector<std::uint32_t> items;
     };
 
-    static constexpr double cellsPerItem = 2;
     static constexpr double mostCopies = 6;  // of an item in cells, on average
     // A cell with more items than this gets a level of its own, unless that would not keep them apart either.
     static constexpr std::size_t mostInCell = 8;
     static constexpr int mostDepth = 12;
 
-    // Leaves out the items of cells that have become levels.
-    void takeItems(const std::vector<std::uint32_t>& items) const {
-        std::size_t count = 0;
-        for (const Cell& cell : grid_.cells_) count += cell.end == Grid::isLevel ? 0 : cell.end - cell.begin;
-        grid_.items_.reserve(count);
-        for (Cell& cell : grid_.cells_) {
-            if (cell.end == Grid::isLevel) continue;
-            const auto begin = static_cast<std::uint32_t>(grid_.items_.size());
-            grid_.items_.insert(grid_.items_.end(), &items[0] + cell.begin, &items[0] + cell.end);
-            cell = {begin, static_cast<std::uint32_t>(grid_.items_.size())};
-        }
-        grid_.levels_.shrink_to_fit();
-        grid_.cells_.shrink_to_fit();
+    // Nothing for an inner level (depth > 0) that does not keep its items apart.
+    std::optional<Part> levelFor(Items items, const Bounds& box, int depth) const {
+        Part part;
+        part.levels.push_back(bestLevel(items, box));
+        const Level& level = part.levels[0];
+        const std::size_t occupied = occupy(level, items, part.bricks);
+        std::vector<std::uint32_t> begins, sorted;
+        const std::size_t largest = sort(part, items, occupied, begins, sorted);
+        if (depth > 0 && 5 * largest > 4 * items.size()) return std::nullopt;
+        std::vector<std::optional<Part>> inner(occupied);
+        if (depth < mostDepth && largest > mostInCell) split(part, begins, sorted, depth, inner);
+        finish(part, begins, sorted, inner);
+        return part;
     }
 
-    // Adds a level for the items, and those within it. Adds nothing, and returns false, for an inner one (depth > 0)
-    // that does not keep them apart.
-    bool addLevel(Items items, const Bounds& box, int depth, Part& part) const {
-        double cells = cellsPerItem * static_cast<double>(items.size());
-        Level level = levelOf(box, cells);
-        while (cells > 1 && copies(level, items) > mostCopies * static_cast<double>(items.size()))
-            level = levelOf(box, cells /= 2);
-        const std::vector<std::uint32_t> counts = countItems(level, items);
-        const std::size_t largest = *std::max_element(counts.begin(), counts.end());
-        if (depth > 0 && 5 * largest > 4 * items.size()) return false;
-        level.firstCell = static_cast<std::uint32_t>(part.cells.size());
-        part.levels.push_back(level);
-        fill(level, items, counts, part);
-        if (depth < mostDepth && largest > mostInCell) split(level, counts.size(), depth, part);
-        return true;
+    // Of some resolutions the one with which a ray through the box takes the least time.
+    Level bestLevel(Items items, const Bounds& box) const {
+        const double n = static_cast<double>(items.size());
+        double best = 1, least = core::infinity;
+        for (double cells = n / 64; cells <= 64 * n; cells *= 4) {
+            const Level level(box, std::max(cells, 1.0), grid_.errorPerUnit_);
+            const double listed = copies(level, items);
+            if (listed > mostCopies * n && least < core::infinity) break;
+            const double cost = costOf(level, items, listed);
+            if (cost >= least) continue;
+            least = cost;
+            best = cells;
+        }
+        return {box, std::max(best * refinement_, 1.0), grid_.errorPerUnit_};
     }
 
-    // A box of about so many cells, cubes nearly, but where the box is thinner than they are.
-    static Level levelOf(const Bounds& box, double cells) {
-        Level level;
-        level.firstCell = 0;
-        level.rounding = 0x1p-21f * box.reach();
-        const float thinnest = core::max(0x1p-16f * core::largestComponent(box.size()), 8 * level.rounding);
-        const glm::dvec3 size = glm::max(box.size(), Vec3f(core::max(thinnest, 1e-30f)));
-        const double edge = edgeOf(size, cells);
-        level.low = box.low;
-        for (int axis = 0; axis < 3; ++axis) {
-            level.count[axis] = static_cast<int>(std::clamp(std::round(size[axis] / edge), 1.0, 4096.0));
-            level.cell[axis] = static_cast<float>(size[axis] / level.count[axis]);
-            level.inverseCell[axis] = 1 / level.cell[axis];
-        }
-        return level;
+    // What a ray that crosses the level costs, in nanoseconds or so.
+    double costOf(const Level& level, Items items, double listed) const {
+        constexpr double costOfLevel = 60, costOfBricks = 8, costOfSlice = 8, costOfCell = 3, costOfTest = 20;
+        std::vector<Brick> bricks;
+        const double occupied = static_cast<double>(occupy(level, items, bricks));
+        const auto isOccupied = [](const Brick& brick) { return brick.occupied != 0; };
+        const double occupiedBricks = static_cast<double>(std::count_if(bricks.begin(), bricks.end(), isOccupied));
+        // A line through a box is in it for 4 V / S on average; 0.83 of a cell's side along its main axis for each.
+        const double x = level.count[0], y = level.count[1], z = level.count[2];
+        const double slices = 0.83 * 2 * x * y * z / (x * y + y * z + z * x);
+        const double anyInBricks = std::min(1.0, 2 * occupiedBricks / static_cast<double>(bricks.size()));
+        // A slice with its slope and slack is 2.2 cells wide. A cell that will be split costs the cube root of what is
+        // in it, or there about.
+        const double inCell = listed / occupied;
+        const bool isSplit = inCell > mostInCell && 4 * inCell < static_cast<double>(items.size());
+        const double costInCell = isSplit ? costOfLevel + 20 * std::cbrt(inCell) : costOfTest * inCell;
+        return slices * (costOfBricks / Level::brickSide + costOfSlice * anyInBricks +
+                         2.2 * occupied / level.cellCount() * (costOfCell + costInCell));
     }
-
-    // Of the cubes that cut a box into so many cells, one layer being the least along each axis.
-    static double edgeOf(const glm::dvec3& size, double cells) {
-        std::array<double, 3> sides{size.x, size.y, size.z};
-        std::sort(sides.begin(), sides.end(), std::greater<>());
-        double edge = std::cbrt(sides[0] * sides[1] * sides[2] / cells);
-        if (sides[2] < edge) edge = std::sqrt(sides[0] * sides[1] / cells);
-        if (sides[1] < edge) edge = sides[0] / cells;
-        return edge;
-    }
-
-    // The cells of a level that an item reaches into.
-    struct Range {
-        std::array<int, 3> first, last;
-
-        Range(const Level& level, const Bounds& item) {
-            for (int axis = 0; axis < 3; ++axis) {
-                first[axis] = level.cellOf(item.low[axis], axis);
-                last[axis] = level.cellOf(item.high[axis], axis);
-            }
-        }
-        double count() const {
-            double product = 1;
-            for (int axis = 0; axis < 3; ++axis) product *= last[axis] - first[axis] + 1;
-            return product;
-        }
-    };
 
     // How often items would be listed, in all.
     double copies(const Level& level, Items items) const {
         double sum = 0;
-        for (const std::uint32_t item : items) sum += Range(level, bounds_[item]).count();
+        for (const std::uint32_t item : items) sum += CellRange(level, bounds_[item]).count();
         return sum;
-    }
-
-    template<class Function>
-    static void forEachCell(const Level& level, const Bounds& item, Function&& function) {
-        const auto [first, last] = Range(level, item);
-        for (int z = first[2]; z <= last[2]; ++z)
-            for (int y = first[1]; y <= last[1]; ++y)
-                for (int x = first[0]; x <= last[0]; ++x) function(level.cellIndex(x, y, z) - level.firstCell);
     }
 
     // Calls function(i) for i from 0 to count - 1, many of them on all threads.
@@ -156,64 +126,87 @@ private:
         inChunks(items.size(), [&](std::size_t i) { function(items[i], bounds_[items[i]]); });
     }
 
-    // How many items each cell holds.
-    std::vector<std::uint32_t> countItems(const Level& level, Items items) const {
-        std::vector<std::uint32_t> counts(static_cast<std::size_t>(level.count[0]) *
-                                          static_cast<std::size_t>(level.count[1]) *
-                                          static_cast<std::size_t>(level.count[2]));
+    // Makes the level's bricks, and returns how many of their cells hold anything.
+    std::size_t occupy(const Level& level, Items items, std::vector<Brick>& bricks) const {
+        bricks.resize(level.brickCount());
         forEachItem(items, [&](std::uint32_t, const Bounds& bounds) {
-            forEachCell(level, bounds, [&](std::uint32_t cell) {
-                std::atomic_ref(counts[cell]).fetch_add(1, std::memory_order_relaxed);
+            CellRange(level, bounds).forEach(level, [&](std::size_t brick, int bit) {
+                const std::uint64_t mask = std::uint64_t(1) << bit;
+                const std::atomic_ref word(bricks[brick].occupied);
+                if ((word.load(std::memory_order_relaxed) & mask) == 0) word.fetch_or(mask, std::memory_order_relaxed);
             });
         });
-        return counts;
+        std::uint32_t cells = 0;
+        for (Brick& brick : bricks) {
+            brick.firstCell = cells;
+            cells += static_cast<std::uint32_t>(std::popcount(brick.occupied));
+        }
+        return cells;
     }
 
-    void fill(const Level& level, Items items, const std::vector<std::uint32_t>& counts, Part& part) const {
-        part.cells.reserve(part.cells.size() + counts.size());
-        std::uint32_t end = static_cast<std::uint32_t>(part.items.size());
-        for (const std::uint32_t count : counts) {
-            part.cells.push_back({end, end});
-            end += count;
-        }
-        part.items.resize(end);
-        Cell* cells = &part.cells[level.firstCell];
-        forEachItem(items, [&](std::uint32_t item, const Bounds& bounds) {
-            forEachCell(level, bounds, [&](std::uint32_t cell) {
-                part.items[std::atomic_ref(cells[cell].end).fetch_add(1, std::memory_order_relaxed)] = item;
+    // The items of all occupied cells, one cell behind the other, and where each begins. Returns how many the fullest
+    // cell has.
+    std::size_t sort(const Part& part, Items items, std::size_t occupied, std::vector<std::uint32_t>& begins,
+                     std::vector<std::uint32_t>& sorted) const {
+        const auto forEachListing = [&](auto&& function) {
+            forEachItem(items, [&](std::uint32_t item, const Bounds& bounds) {
+                CellRange(part.levels[0], bounds).forEach(part.levels[0], [&](std::size_t brick, int bit) {
+                    const std::uint64_t before = (std::uint64_t(1) << bit) - 1;
+                    function(item, part.bricks[brick].firstCell +
+                                       static_cast<std::uint32_t>(std::popcount(part.bricks[brick].occupied & before)));
+                });
             });
+        };
+        begins.assign(occupied + 1, 0);
+        forEachListing([&](std::uint32_t, std::uint32_t cell) {
+            std::atomic_ref(begins[cell]).fetch_add(1, std::memory_order_relaxed);
+        });
+        std::uint32_t largest = 0, end = 0;
+        for (std::uint32_t& begin : begins) {
+            largest = std::max(largest, begin);
+            end += begin;
+            begin = end;
+        }
+        // Filled from behind, which leaves in `begins` where each begins.
+        sorted.resize(end);
+        forEachListing([&](std::uint32_t item, std::uint32_t cell) {
+            sorted[std::atomic_ref(begins[cell]).fetch_sub(1, std::memory_order_relaxed) - 1] = item;
         });
         // Threads came in any order.
-        inChunks(counts.size(),
-                 [&](std::size_t i) { std::sort(&part.items[0] + cells[i].begin, &part.items[0] + cells[i].end); });
+        inChunks(occupied, [&](std::size_t i) { std::sort(&sorted[0] + begins[i], &sorted[0] + begins[i + 1]); });
+        return largest;
     }
 
     // Gives crowded cells levels of their own.
-    void split(const Level& level, std::size_t cellCount, int depth, Part& part) const {
-        std::vector<std::uint32_t> crowded;
-        for (std::uint32_t i = level.firstCell; i < level.firstCell + cellCount; ++i)
-            if (part.cells[i].end - part.cells[i].begin > mostInCell) crowded.push_back(i);
-        std::vector<Part> inner(crowded.size());
-        const auto build = [&](int i) {
-            const Cell& cell = part.cells[crowded[static_cast<std::size_t>(i)]];
-            const Items items(&part.items[cell.begin], cell.end - cell.begin);
-            const std::uint32_t place = crowded[static_cast<std::size_t>(i)] - level.firstCell;
-            addLevel(items, boxIn(level, place, items), depth + 1, inner[static_cast<std::size_t>(i)]);
+    void split(const Part& part, const std::vector<std::uint32_t>& begins, const std::vector<std::uint32_t>& sorted,
+               int depth, std::vector<std::optional<Part>>& inner) const {
+        struct Crowd {
+            std::size_t cell;
+            Bounds box;
         };
-        const int count = static_cast<int>(crowded.size());
+        std::vector<Crowd> crowds;
+        for (std::size_t brick = 0; brick < part.bricks.size(); ++brick) {
+            std::uint64_t left = part.bricks[brick].occupied;
+            for (std::size_t cell = part.bricks[brick].firstCell; left != 0; ++cell, left &= left - 1) {
+                if (begins[cell + 1] - begins[cell] <= mostInCell) continue;
+                const Items items(&sorted[begins[cell]], begins[cell + 1] - begins[cell]);
+                crowds.push_back({cell, boxIn(part.levels[0], static_cast<int>(brick), std::countr_zero(left), items)});
+            }
+        }
+        const auto build = [&](int i) {
+            const auto& [cell, box] = crowds[static_cast<std::size_t>(i)];
+            inner[cell] = levelFor({&sorted[begins[cell]], begins[cell + 1] - begins[cell]}, box, depth + 1);
+        };
+        const int count = static_cast<int>(crowds.size());
         if (depth == 0)
             core::parallelFor(count, threads_, build);
         else
             for (int i = 0; i < count; ++i) build(i);
-        for (std::size_t i = 0; i < crowded.size(); ++i)
-            if (!inner[i].levels.empty()) append(inner[i], part.cells[crowded[i]], part);
     }
 
     // What the items of a cell fill of it.
-    Bounds boxIn(const Level& level, std::uint32_t cell, Items items) const {
-        const int index = static_cast<int>(cell);
-        const int at[3] = {index % level.count[0], index / level.count[0] % level.count[1],
-                           index / level.count[0] / level.count[1]};
+    Bounds boxIn(const Level& level, int brick, int bit, Items items) const {
+        const std::array<int, 3> at = level.cellOf(brick, bit);
         Bounds whole, filled;
         for (int axis = 0; axis < 3; ++axis) {
             // What lies beyond the level belongs to its outermost cells.
@@ -226,36 +219,57 @@ private:
         return filled;
     }
 
-    // Adds a part behind another, in place of a cell there.
-    static void append(const Part& inner, Cell& place, Part& part) {
+    // Lists what each cell holds: its items, or a level of its own.
+    static void finish(Part& part, const std::vector<std::uint32_t>& begins, const std::vector<std::uint32_t>& sorted,
+                       const std::vector<std::optional<Part>>& inner) {
+        part.cells.reserve(begins.size());
+        std::uint32_t levels = 1;
+        for (std::size_t cell = 0; cell < inner.size(); ++cell) {
+            part.cells.push_back(static_cast<std::uint32_t>(part.items.size()));
+            if (inner[cell]) {
+                part.items.push_back(levels | Grid::isLevel);
+                levels += static_cast<std::uint32_t>(inner[cell]->levels.size());
+            } else {
+                part.items.insert(part.items.end(), &sorted[0] + begins[cell], &sorted[0] + begins[cell + 1]);
+            }
+        }
+        part.cells.push_back(static_cast<std::uint32_t>(part.items.size()));
+        for (const auto& behind : inner)
+            if (behind) append(*behind, part);
+    }
+
+    static void append(const Part& behind, Part& part) {
         const auto levels = static_cast<std::uint32_t>(part.levels.size());
+        const auto bricks = static_cast<std::uint32_t>(part.bricks.size());
         const auto cells = static_cast<std::uint32_t>(part.cells.size());
         const auto items = static_cast<std::uint32_t>(part.items.size());
-        place = {levels, Grid::isLevel};
-        for (Level level : inner.levels) {
-            level.firstCell += cells;
+        for (Level level : behind.levels) {
+            level.firstBrick += bricks;
             part.levels.push_back(level);
         }
-        for (Cell cell : inner.cells) {
-            cell.begin += cell.end == Grid::isLevel ? levels : items;
-            if (cell.end != Grid::isLevel) cell.end += items;
-            part.cells.push_back(cell);
+        for (Brick brick : behind.bricks) {
+            brick.firstCell += cells;
+            part.bricks.push_back(brick);
         }
-        part.items.insert(part.items.end(), inner.items.begin(), inner.items.end());
+        for (const std::uint32_t cell : behind.cells) part.cells.push_back(cell + items);
+        for (const std::uint32_t item : behind.items)
+            part.items.push_back((item & Grid::isLevel) != 0 ? item + levels : item);
     }
 
     Grid& grid_;
     std::span<const Bounds> bounds_;
     int threads_;
+    double refinement_;
 };
 
-Grid::Grid(std::span<const Bounds> bounds, float errorPerUnit, int threads) : errorPerUnit_(errorPerUnit) {
-    if (!bounds.empty()) GridBuilder(*this, bounds, threads).build();
+Grid::Grid(std::span<const Bounds> bounds, float errorPerUnit, int threads, double refinement)
+    : errorPerUnit_(errorPerUnit) {
+    if (!bounds.empty()) GridBuilder(*this, bounds, threads, refinement).build();
 }
 
 std::size_t Grid::bytes() const {
-    return levels_.capacity() * sizeof(Level) + cells_.capacity() * sizeof(Cell) +
-           items_.capacity() * sizeof(std::uint32_t);
+    return levels_.capacity() * sizeof(Level) + bricks_.capacity() * sizeof(Brick) +
+           (cells_.capacity() + items_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace gr

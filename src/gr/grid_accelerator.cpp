@@ -1,4 +1,4 @@
-#include "gr/grid.h"
+#include "gr/grid_walk.h"
 #include "gr/two_level_accelerator.h"
 
 namespace gr {

@@ -4,6 +4,7 @@
 #include "gr/mesh_repair.h"
 #include "gr/pack.h"
 #include "gr/parts.h"
+#include "gr/triangle_order.h"
 
 #include <algorithm>
 #include <atomic>
@@ -49,24 +50,23 @@ std::vector<glm::ivec3> makeTriangles(FlatMesh& mesh, Crossing crossing, MeshRep
 std::shared_ptr<const Polyhedron> Polyhedron::make(const PolygonMesh& given, MeshRepairs& repairs) {
     FlatMesh mesh(given);
     mergeVertices(mesh, repairs);
-    const std::vector<glm::ivec3> triangles = makeTriangles(mesh, Crossing::isAnError, repairs);
-    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, triangles));
+    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, makeTriangles(mesh, Crossing::isAnError, repairs)));
 }
 
 std::shared_ptr<const Polyhedron> Polyhedron::make(FlatMesh mesh, MeshRepairs& repairs) {
-    const std::vector<glm::ivec3> triangles = makeTriangles(mesh, Crossing::isDropped, repairs);
-    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, triangles));
+    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, makeTriangles(mesh, Crossing::isDropped, repairs)));
 }
 
-Polyhedron::Polyhedron(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles)
+Polyhedron::Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles)
     : packs_((triangles.size() + packWidth - 1) / packWidth), triangleCount_(triangles.size()) {
+    for (const glm::ivec3& triangle : triangles)
+        for (int k = 0; k < 3; ++k) bounds_.include(core::Vec3f(mesh.vertices[mesh.corners[triangle[k]]]));
+    sortIntoPacks(mesh, triangles);
     inParts(static_cast<int>(packs_.size()), [&](int first, int end) {
         const std::size_t last = std::min(static_cast<std::size_t>(end) * packWidth, triangleCount_);
         for (std::size_t i = static_cast<std::size_t>(first) * packWidth; i < last; ++i)
             setTriangle(mesh, triangles[i], i);
     });
-    for (const glm::ivec3& triangle : triangles)
-        for (int k = 0; k < 3; ++k) bounds_.include(core::Vec3f(mesh.vertices[mesh.corners[triangle[k]]]));
     if (!mesh.normals.empty()) setNormals(mesh, triangles);
 }
 
@@ -120,36 +120,44 @@ std::size_t Polyhedron::bytes() const {
     return packs_.size() * sizeof(TrianglePack) + normals_.size() * sizeof(PackedNormal);
 }
 
-void Polyhedron::intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const {
-    for (std::size_t i = 0; i < packs_.size(); ++i) {
-        packs_[i].intersect(ray, [&](const TriangleHit<PackLanes>& found) {
-            const LaneValues t(found.t), b1(found.b1), b2(found.b2);
-            for (int lane = 0; lane < packWidth; ++lane) {
-                const auto triangle = static_cast<std::uint32_t>(i * packWidth) + static_cast<std::uint32_t>(lane);
-                const Hit hit{t[lane], instance, triangle, b1[lane], b2[lane]};
-                if (hit.isBefore(nearest)) nearest = hit;
-            }
-        });
-    }
+std::size_t Polyhedron::packCount() const {
+    return packs_.size();
 }
 
-TriangleHit<float> Polyhedron::intersect(const TriangleRay<float>& ray, std::uint32_t triangle) const {
-    const core::Vec3f a = ray.axes.permute(vertex(triangle, 0));
-    const core::Vec3f b = ray.axes.permute(vertex(triangle, 1));
-    const core::Vec3f c = ray.axes.permute(vertex(triangle, 2));
-    TriangleCrossing<float> crossing = ray.cross(a, b, c);
-    if (!crossing.inside) return {core::infinity, 0, 0};
-    const bool isThin = packs_[triangle / packWidth].isThin[triangle % packWidth] > 0;
-    if (isThin) crossing = ray.exactCross(a, b, c);
-    return ray.hit(crossing, a, b, c);
+core::Bounds Polyhedron::packBounds(std::uint32_t pack) const {
+    core::Bounds bounds;
+    const std::size_t end = std::min<std::size_t>((pack + 1) * packWidth, triangleCount_);
+    for (std::size_t triangle = pack * packWidth; triangle < end; ++triangle)
+        for (int corner = 0; corner < 3; ++corner) bounds.include(vertex(static_cast<std::uint32_t>(triangle), corner));
+    return bounds;
+}
+
+void Polyhedron::intersect(const PackRay& ray, std::uint32_t pack, std::uint32_t instance, Hit& nearest) const {
+    packs_[pack].intersect(ray, [&](const TriangleHit<PackLanes>& found) {
+        if (!xsimd::any(found.t <= PackLanes(nearest.t))) return;
+        const LaneValues t(found.t), b1(found.b1), b2(found.b2);
+        for (int lane = 0; lane < packWidth; ++lane) {
+            const Hit hit{t[lane], instance, pack * packWidth + static_cast<std::uint32_t>(lane), b1[lane], b2[lane]};
+            if (hit.isBefore(nearest)) nearest = hit;
+        }
+    });
+}
+
+void Polyhedron::intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const {
+    for (std::uint32_t pack = 0; pack < packs_.size(); ++pack) intersect(ray, pack, instance, nearest);
+}
+
+bool Polyhedron::occluded(const PackRay& ray, std::uint32_t pack) const {
+    bool isMet = false;
+    packs_[pack].intersect(
+        ray, [&](const TriangleHit<PackLanes>& found) { isMet = xsimd::any(found.t < PackLanes(core::infinity)); });
+    return isMet;
 }
 
 bool Polyhedron::occluded(const PackRay& ray) const {
-    bool isMet = false;
-    for (std::size_t i = 0; i < packs_.size() && !isMet; ++i)
-        packs_[i].intersect(
-            ray, [&](const TriangleHit<PackLanes>& found) { isMet = xsimd::any(found.t < PackLanes(core::infinity)); });
-    return isMet;
+    for (std::uint32_t pack = 0; pack < packs_.size(); ++pack)
+        if (occluded(ray, pack)) return true;
+    return false;
 }
 
 namespace {
