@@ -12,6 +12,19 @@
 
 namespace gr {
 
+// What a database holds.
+struct DatabaseStatistics {
+    // Nodes by kind; the root is none of them.
+    std::size_t transforms = 0, spheres = 0, boxes = 0, polyhedra = 0, areaLights = 0, instances = 0;
+    double objects = 0;  // of the whole tree once its instances are spread out; see object_count.h
+    // A mesh that several nodes show is one.
+    std::size_t meshes = 0, triangles = 0;
+    std::size_t materials = 0, pointLights = 0;
+    // Memory that is allocated: for the nodes, their names and matrices, and the tables that find them; for the meshes;
+    // for materials and point lights.
+    std::size_t nodeBytes = 0, meshBytes = 0, materialBytes = 0;
+};
+
 class Database {
 public:
     Database();
@@ -46,6 +59,8 @@ public:
         return meshFiles_.read(path, name, repairs);
     }
     std::size_t nodeCount() const { return index_.size() + 1; }
+    // Takes time in proportion to the number of nodes.
+    DatabaseStatistics statistics() const;
 
 private:
     // A node is found by its parent and its name.

@@ -18,6 +18,8 @@ public:
     // path: of the file; name: as the script calls it, for messages. Throws core::Error for a file that cannot be read.
     // repairs: what was mended, where the file is not read for the first time nothing.
     std::shared_ptr<const Polyhedron> read(const std::string& path, std::string_view name, MeshRepairs& repairs);
+    // Allocated for what is known of the files, without the polyhedra.
+    std::size_t bytes() const;
 
 private:
     struct Entry {

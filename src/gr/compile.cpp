@@ -1,5 +1,6 @@
 #include "core/memory.h"
 #include "gr/database.h"
+#include "gr/object_count.h"
 #include "gr/scene.h"
 
 #include <glm/ext/matrix_transform.hpp>
@@ -7,43 +8,6 @@
 
 namespace gr {
 namespace {
-
-// How many objects each subtree becomes when its instances are replaced by what they stand for. Doubles: nested
-// instances double, and double again.
-using ObjectCounts = std::unordered_map<const Node*, double>;
-
-// Of top and of all that is instanced below it.
-ObjectCounts countObjects(const Node& top) {
-    ObjectCounts known;
-    std::vector<const Node*> open{&top};
-    while (!open.empty()) {
-        const Node* subtree = open.back();
-        if (known.contains(subtree)) {
-            open.pop_back();
-            continue;
-        }
-        double sum = 0;
-        bool complete = true;
-        for (const Node* node = subtree; node != nullptr; node = nextInSubtree(node, subtree)) {
-            const auto* instance = std::get_if<InstanceNode>(&node->content);
-            if (instance == nullptr) {
-                sum += !std::holds_alternative<TransformNode>(node->content);
-                continue;
-            }
-            const auto target = known.find(instance->target);
-            if (target != known.end()) {
-                sum += target->second;
-            } else {
-                open.push_back(instance->target);
-                complete = false;
-            }
-        }
-        if (!complete) continue;
-        known[subtree] = sum;
-        open.pop_back();
-    }
-    return known;
-}
 
 void checkMemory(const Node& top, double objects) {
     const double needed = objects * sizeof(Instance);

@@ -1,5 +1,6 @@
 #include "gr/mesh_file.h"
 
+#include "core/allocated.h"
 #include "core/error.h"
 #include "gr/mesh_import.h"
 
@@ -89,6 +90,12 @@ std::shared_ptr<const Polyhedron> MeshFiles::read(const std::string& path, std::
     } catch (const core::Error& error) {
         throw core::Error("MESH", "FILE", path, "cannot read \"" + std::string(name) + "\": " + error.what());
     }
+}
+
+std::size_t MeshFiles::bytes() const {
+    std::size_t bytes = core::allocatedByTable(entries_);
+    for (const auto& [path, entry] : entries_) bytes += core::allocatedBytes(path);
+    return bytes;
 }
 
 }  // namespace gr

@@ -1,18 +1,17 @@
-// What a node costs. Global operator new and delete are replaced to count it, for all of this program's tests; not
-// under a sanitizer, whose own replacements find the errors there.
+// What a node costs. Global operator new and delete are replaced to count it, for all of this program's tests.
+#include "gr/bytes_in_use.h"
 #include "gr/database.h"
 
 #include <gtest/gtest.h>
 #include <malloc.h>
-#include <atomic>
 #include <cstdlib>
 #include <new>
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-
-namespace {
+#ifdef GRSH_COUNTS_BYTES
 
 std::atomic<std::int64_t> bytesInUse{0};
+
+namespace {
 
 // What glibc takes for an allocation: the memory itself and the size in front of it.
 std::int64_t chunkSize(void* memory) {

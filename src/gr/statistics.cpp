@@ -1,0 +1,66 @@
+#include "core/allocated.h"
+#include "gr/database.h"
+#include "gr/object_count.h"
+
+namespace gr {
+namespace {
+
+// Counts the node that it visits the content of.
+struct CountNode {
+    DatabaseStatistics& statistics;
+    std::unordered_set<const Polyhedron*>& meshes;
+
+    void operator()(const TransformNode&) const { ++statistics.transforms; }
+    void operator()(const SphereNode&) const { ++statistics.spheres; }
+    void operator()(const BoxNode&) const { ++statistics.boxes; }
+    void operator()(const PolyhedronNode& node) const {
+        ++statistics.polyhedra;
+        statistics.nodeBytes += core::allocatedBytes(node.file);
+        meshes.insert(node.polyhedron.get());
+    }
+    void operator()(const AreaLightNode&) const { ++statistics.areaLights; }
+    void operator()(const InstanceNode&) const { ++statistics.instances; }
+};
+
+// Behind a node: its name and its matrix.
+std::size_t partBytes(const Node& node) {
+    return core::allocatedBytes(node.name) + (node.matrix ? core::allocatedBytes(sizeof(glm::dmat4)) : 0);
+}
+
+std::size_t meshBytes(const Polyhedron& mesh) {
+    constexpr std::size_t owners = 3 * sizeof(void*);  // what its shared pointers count in
+    return core::allocatedBytes(sizeof(Polyhedron)) + core::allocatedBytes(owners) + core::allocatedBytes(mesh.bytes());
+}
+
+}  // namespace
+
+DatabaseStatistics Database::statistics() const {
+    DatabaseStatistics statistics;
+    statistics.objects = countObjects(root_).at(&root_);
+
+    statistics.nodeBytes = core::allocatedByTable(index_) + partBytes(root_);
+    std::unordered_set<const Polyhedron*> meshes;
+    for (const auto& node : index_) {
+        std::visit(CountNode{statistics, meshes}, node->content);
+        statistics.nodeBytes += core::allocatedBytes(sizeof(Node)) + partBytes(*node);
+    }
+    statistics.nodeBytes += core::allocatedByTable(instancesOf_);
+    for (const auto& [target, instances] : instancesOf_) statistics.nodeBytes += core::allocatedByTable(instances);
+
+    statistics.meshes = meshes.size();
+    statistics.meshBytes = meshFiles_.bytes();
+    for (const Polyhedron* mesh : meshes) {
+        statistics.triangles += mesh->triangleCount();
+        statistics.meshBytes += meshBytes(*mesh);
+    }
+
+    statistics.materials = materials_.size();
+    statistics.pointLights = pointLights_.size();
+    statistics.materialBytes = core::allocatedByTable(materials_) + core::allocatedByTable(pointLights_);
+    for (const auto& [name, material] : materials_)
+        statistics.materialBytes += core::allocatedBytes(name) + core::allocatedBytes(material.name);
+    for (const auto& [name, light] : pointLights_) statistics.materialBytes += core::allocatedBytes(name);
+    return statistics;
+}
+
+}  // namespace gr
