@@ -5,6 +5,7 @@
 #include "core/option.h"
 #include "gr/shape.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -36,6 +37,8 @@ public:
     virtual std::size_t bytes() const = 0;
     // What it is, for a person: "grid of 12 x 8 x 3 cells".
     virtual std::string description() const = 0;
+    // How many cells of a grid there are along each axis, of its top level; nothing for what is no grid.
+    virtual std::optional<std::array<int, 3>> resolution() const { return std::nullopt; }
 
     std::optional<Hit> intersect(const core::Rayf& ray) const {
         TraversalCounts counts;

@@ -26,6 +26,8 @@ public:
         if (!meshes().empty()) text += ", " + std::to_string(meshes().size()) + " in meshes";
         return text;
     }
+
+    std::optional<std::array<int, 3>> resolution() const override { return objects().resolution(); }
 };
 
 }  // namespace

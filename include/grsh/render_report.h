@@ -1,0 +1,22 @@
+// What gr_render says of a render that is done.
+#pragma once
+
+#include "gr/accelerator.h"
+#include "grsh/render_job.h"
+#include "render/render.h"
+
+namespace grsh {
+
+struct RenderReport {
+    const render::RenderResult& result;
+    const gr::Accelerator& accelerator;
+    double buildSeconds, seconds;  // of the accelerator, of everything
+    std::size_t sceneBytes, pictureBytes;
+};
+
+// file: the picture's name as the script has it.
+Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file);
+// A line on standard error.
+void printSummary(const RenderReport& report, const RenderJob& job);
+
+}  // namespace grsh

@@ -1,0 +1,107 @@
+#include "grsh/render_job.h"
+
+#include "core/memory.h"
+#include "grsh/option_words.h"
+#include "render/film.h"
+
+namespace grsh {
+namespace {
+
+void readCamera(Call& call, RenderJob& job) {
+    constexpr core::Range pixels{.least = 1, .most = 1000000};
+    constexpr core::Range coordinate{.least = -1e18, .most = 1e18};
+    job.width = call.words.integer(2, "width", pixels);
+    job.height = call.words.integer(3, "height", pixels);
+    job.eye = call.words.vector(4, "eye", coordinate);
+    job.view = call.words.vector(5, "view", coordinate);
+    job.up = call.words.vector(6, "up", coordinate);
+    // The square of a length may vanish where the length does not.
+    const auto hasLength = [](const glm::dvec3& v) { return glm::dot(v, v) >= std::numeric_limits<double>::min(); };
+    if (!hasLength(job.view)) throwBadValue("view", "a direction, not of length 0", call.words.object(5));
+    if (!hasLength(job.up)) throwBadValue("up", "a direction, not of length 0", call.words.object(6));
+    // About the sine of the angle between them; nearer than this, rounding would decide where right is.
+    const double across = glm::length(glm::cross(glm::normalize(job.view), glm::normalize(job.up)));
+    if (!(across > 1e-9)) throwBadValue("up", "a direction not parallel to view", call.words.object(6));
+    job.fieldOfView =
+        call.words.number(7, "fov", {.least = 0, .most = 180, .leastIncluded = false, .mostIncluded = false});
+}
+
+bool isOption(Call& call, std::size_t i) {
+    return i < call.words.size() && findOption(render::RenderSettings::options(), call.words.text(i)) != nullptr;
+}
+
+// No option is written like a list or a number.
+bool isAmbient(Call& call, std::size_t i) {
+    double number = 0;
+    return i < call.words.size() &&
+           (call.words.listLength(i) != 1 || Tcl_GetDoubleFromObj(nullptr, call.words.object(i), &number) == TCL_OK);
+}
+
+// Behind ambient. One word is the name of a light, or an option misspelt: then the rest makes pairs with it.
+bool isLights(Call& call, std::size_t i) {
+    if (i >= call.words.size() || isOption(call, i)) return false;
+    const bool makesPairs = (call.words.size() - i) % 2 == 0;
+    return !makesPairs || call.words.listLength(i) != 1 || isOption(call, i + 1);
+}
+
+// ?{ambient} ?{lights}?? ?option value ...?
+void readTail(Call& call, RenderJob& job) {
+    std::size_t next = 8;
+    if (isAmbient(call, next)) {
+        job.ambient = call.words.colour(next++, "ambient", {.least = 0, .most = 1e18});
+        if (isLights(call, next)) job.lights = call.words.strings(next++, "lights");
+    }
+    readOptions(call.words, next, "no such option", job.settings);
+}
+
+void checkLines(const RenderJob& job) {
+    const auto check = [&](std::string_view option, int line) {
+        if (line < job.height) return;
+        throw core::Error("VALUE", "RANGE", std::to_string(line),
+                          std::string(option) + " must be less than the height " + std::to_string(job.height) +
+                              ", not \"" + std::to_string(line) + "\"");
+    };
+    check("startline", job.startLine());
+    check("stopline", job.stopLine());
+    if (job.startLine() > job.stopLine())
+        throw core::Error("VALUE", "RANGE", std::to_string(job.startLine()),
+                          "startline must be at most stopline " + std::to_string(job.stopLine()) + ", not \"" +
+                              std::to_string(job.startLine()) + "\"");
+}
+
+void checkMemory(const RenderJob& job) {
+    const double needed = render::Film::bytesFor(job.width, job.lines());
+    const double available = static_cast<double>(core::availableMemory());
+    if (needed > available)
+        throw core::Error("MEMORY", "PICTURE", job.file,
+                          "a picture of " + std::to_string(job.width) + " x " + std::to_string(job.lines()) +
+                              " pixels takes " + core::memoryText(needed) + " of memory; " +
+                              core::memoryText(available) + " are free");
+}
+
+// The name as the system has it: Tcl's own UTF-8 has NUL, and letters beyond the first 65536, in another way.
+std::string fileName(Tcl_Obj* word) {
+    const std::string_view text = textOf(word);
+    Tcl_DString native;
+    Tcl_UtfToExternalDString(nullptr, text.data(), static_cast<int>(text.size()), &native);
+    const std::string name(Tcl_DStringValue(&native), static_cast<std::size_t>(Tcl_DStringLength(&native)));
+    Tcl_DStringFree(&native);
+    if (name.find('\0') != std::string::npos) throwBadValue("file", "a name without NUL", word);
+    return name;
+}
+
+}  // namespace
+
+RenderJob readRenderJob(Call& call) {
+    RenderJob job;
+    job.node = call.words.text(0);
+    call.session.database.find(job.node);
+    job.file = fileName(call.words.object(1));
+    readCamera(call, job);
+    readTail(call, job);
+    checkLines(job);
+    checkMemory(job);
+    return job;
+}
+
+}  // namespace grsh
