@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gr/database.h"
+#include "grsh/tcl_value.h"
 #include "grsh/words.h"
 
 #include <tcl.h>
@@ -14,6 +15,7 @@ namespace grsh {
 // What belongs to one interpreter.
 struct Session {
     gr::Database database;
+    Value lastRender;  // what the last gr_render returned, or null
 };
 
 // One call of a command.
@@ -43,6 +45,7 @@ std::span<const Command> nodeCommands();
 std::span<const Command> materialCommands();
 std::span<const Command> lightCommands();
 std::span<const Command> renderCommands();
+std::span<const Command> statsCommands();
 std::span<const Command> helpCommands();
 // All of them, in the order in which help lists them.
 std::vector<const Command*> allCommands();

@@ -86,7 +86,8 @@ Tcl_Obj* renderCommand(Call& call) {
     file.write(film, job.settings.exposure, metadataOf(job, call.interp));
     const RenderReport report{result, *accelerator, buildSeconds, secondsSince(start), scene.bytes(), film.bytes()};
     if (job.settings.progress) printSummary(report, job);
-    return reportDict(report, call.words.object(1));
+    call.session.lastRender = hold(reportDict(report, call.words.object(1)));
+    return call.session.lastRender.get();
 }
 
 constexpr std::array<Command, 1> rows{{
