@@ -2,8 +2,6 @@
 # a square of n x n balls, which fills the same part of the picture whatever n is.
 
 namespace eval performance {
-    gr_material ball shirley diffuse {0.5 0.2 0.12} specular {0.06 0.06 0.06} exp {200 200}
-
     # n x n balls in the square from -1 to 1, which faces the camera.
     proc square {parent n} {
         set spacing [expr {2. / $n}]
@@ -32,13 +30,24 @@ namespace eval performance {
         }
     }
 
-    # The balls of one of the two, a lamp in front of them, and the picture. Returns what gr_render does.
-    proc picture {shape n file size args} {
+    # The balls of one of the two, and a lamp in front of them.
+    proc scene {shape n} {
+        gr_material ball shirley diffuse {0.5 0.2 0.12} specular {0.06 0.06 0.06} exp {200 200}
         gr_transform : balls
         gr_surfaceproperty :balls ball
         $shape :balls $n
         gr_als_planar : lamp {9 8.5 8} {-1.5 3 2.5} 1.5
+    }
+
+    # The picture of such a scene. Returns what gr_render does.
+    proc render {file size args} {
         gr_render : $file $size $size {0 0 5} {0 0 -1} {0 1 0} 26 globalillumination on antialiasing on \
             background {0.3 0.35 0.45} {*}$args
+    }
+
+    # Both.
+    proc picture {shape n file size args} {
+        scene $shape $n
+        render $file $size {*}$args
     }
 }
