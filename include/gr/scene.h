@@ -1,9 +1,9 @@
 // What is rendered: the scene graph spread out into a flat list, in world space, never changed again.
 #pragma once
 
-#include "core/transform.h"
 #include "gr/accelerator.h"
 #include "gr/light.h"
+#include "gr/placement.h"
 #include "gr/shape.h"
 #include "materials/material.h"
 
@@ -13,29 +13,17 @@ namespace gr {
 
 class Database;
 
-// A shape at one place. Nodes' sizes and positions are part of the transform.
+// A shape at one place. Nodes' sizes and positions are part of the placement.
 struct Instance {
-    static constexpr std::uint32_t notALight = ~0u;
-
-    core::Transform worldFromObject;
-    core::Transform objectFromWorld;
+    Placement place;
     Shape shape;
     std::uint32_t material = 0;  // index into Scene::materials
-    std::uint32_t light = notALight;  // index into Scene::areaLights
     // How far single precision may put a point of the surface off its true place, there and back from object space:
-    // error + errorPerUnit * the point's largest world coordinate.
+    // error + errorPerUnit() * the point's largest world coordinate.
     float error = 0;
-    float errorPerUnit = 0;
-
-    bool isInPlace = false;  // whether its own space is the world
-    bool isSmooth = false;  // whether it is a polyhedron with normals of its own
+    float errorPerUnit() const { return 0x1p-24f * (2 + 10 * place.condition()); }
 
     core::Bounds bounds() const;  // in the world, of every point at which a ray may be reported to hit it
-
-    core::Rayf toObject(const core::Rayf& ray) const {
-        if (isInPlace) return ray;
-        return {objectFromWorld.point(ray.origin), objectFromWorld.vector(ray.direction), ray.tMax};
-    }
 };
 
 // A surface where a ray met it, in the world.
@@ -66,6 +54,7 @@ struct SurfacePoint {
 class Scene {
 public:
     std::vector<Instance> instances;
+    std::vector<std::unique_ptr<const Placement::General>> placements;  // of the instances that need one
     std::vector<materials::Material> materials;
     std::vector<AreaLight> areaLights;
     std::vector<PointLight> pointLights;

@@ -99,6 +99,8 @@ struct Box {
 struct Square {
     static constexpr float extent = 0.5f;
 
+    std::uint32_t light = 0;  // index into Scene::areaLights
+
     template<class Real>
     Real intersect(const core::Ray<Real>& ray) const {
         const Real t = -ray.origin.y / ray.direction.y;
@@ -114,8 +116,7 @@ struct Square {
     }
 };
 
-// A polyhedron is shared by all its instances; the scene owns it. The others have no parameters: size and place are
-// their instance's.
+// A polyhedron is shared by all its instances; the scene owns it. Size and place of the others are their instance's.
 using Shape = std::variant<const Polyhedron*, Sphere, Box, Square>;
 
 }  // namespace gr

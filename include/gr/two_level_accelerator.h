@@ -39,7 +39,7 @@ public:
         objects_->walk(ray, reach, counts, [&](std::uint32_t i) {
             ++counts.tests;
             const Instance& instance = scene_.instances[i];
-            const core::Rayf objectRay = instance.toObject(ray);
+            const core::Rayf objectRay = instance.place.toObject(ray);
             const auto test = [&](const auto& shape) { intersectShape(shape, objectRay, i, nearest, reach, counts); };
             std::visit(test, instance.shape);
             return false;
@@ -53,7 +53,7 @@ public:
         objects_->walk(ray, ray.tMax, counts, [&](std::uint32_t i) {
             ++counts.tests;
             const Instance& instance = scene_.instances[i];
-            const core::Rayf objectRay = instance.toObject(ray);
+            const core::Rayf objectRay = instance.place.toObject(ray);
             const auto test = [&](const auto& shape) { return isHit(shape, objectRay, counts); };
             isMet = std::visit(test, instance.shape);
             return isMet;
@@ -72,7 +72,7 @@ private:
 
     float largestErrorPerUnit() const {
         float largest = 0;
-        for (const Instance& instance : scene_.instances) largest = std::max(largest, instance.errorPerUnit);
+        for (const Instance& instance : scene_.instances) largest = std::max(largest, instance.errorPerUnit());
         return 2 * largest + 8 * unitRoundoff;
     }
 

@@ -19,11 +19,34 @@ void checkMemory(const Node& top, double objects) {
                               " of memory; " + core::memoryText(available) + " are free");
 }
 
+// The largest sums of a row's absolute values
+struct RowSums {
+    double norm = 0;  // in worldFromObject
+    double thereAndBack = 0;  // in |worldFromObject| |objectFromWorld|
+    double backTranslation = 0;  // in |worldFromObject| |objectFromWorld's translation|
+
+    RowSums(const glm::dmat4& matrix, const glm::dmat4& inverse) {
+        for (int row = 0; row < 3; ++row) {
+            double rowNorm = 0, rowThereAndBack = 0, rowBackTranslation = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double entry = std::abs(matrix[k][row]);
+                rowNorm += entry;
+                rowBackTranslation += entry * std::abs(inverse[3][k]);
+                for (int column = 0; column < 3; ++column) rowThereAndBack += entry * std::abs(inverse[column][k]);
+            }
+            norm = std::max(norm, rowNorm);
+            thereAndBack = std::max(thereAndBack, rowThereAndBack);
+            backTranslation = std::max(backTranslation, rowBackTranslation);
+        }
+    }
+};
+
 class Compiler {
 public:
     explicit Compiler(const ObjectCounts& objects) : objects_(objects) {}
 
     Scene compile(const Node& top) {
+        scene_.instances.reserve(static_cast<std::size_t>(objects_.at(&top)));
         open_.push_back({&top, glm::dmat4(1), nullptr, false});
         while (!open_.empty()) {
             const Visit visit = open_.back();
@@ -71,13 +94,11 @@ private:
     void add(const PolyhedronNode& node, const glm::dmat4& matrix) {
         if (polyhedra_.insert(node.polyhedron.get()).second) scene_.polyhedra.push_back(node.polyhedron);
         addInstance(node.polyhedron.get(), matrix, node.polyhedron->extent());
-        scene_.instances.back().isSmooth = node.polyhedron->hasNormals();
     }
     void add(const AreaLightNode& light, const glm::dmat4& matrix) {
         const glm::dmat4 place = glm::scale(glm::translate(matrix, light.centre), glm::dvec3(light.size));
-        addInstance(Square{}, place, Square::extent);
-        Instance& instance = scene_.instances.back();
-        instance.light = static_cast<std::uint32_t>(scene_.areaLights.size());
+        addInstance(Square{static_cast<std::uint32_t>(scene_.areaLights.size())}, place, Square::extent);
+        const Instance& instance = scene_.instances.back();
 
         const core::Vec3f edge1(place[0]), edge2(place[2]);
         const core::Vec3f corner(place * glm::dvec4(-0.5, 0, -0.5, 1));
@@ -88,22 +109,31 @@ private:
         const float size =
             core::largestComponent(corner) + core::largestComponent(edge1) + core::largestComponent(edge2);
         scene_.areaLights.push_back({corner, edge1, edge2, normal, light.radiance, area,
-                                     instance.error + instance.errorPerUnit * size,
+                                     instance.error + instance.errorPerUnit() * size,
                                      static_cast<std::uint32_t>(scene_.instances.size() - 1)});
     }
 
     void addInstance(Shape shape, const glm::dmat4& matrix, float extent) {
         const glm::dmat4 inverse = glm::inverse(matrix);
-        Instance instance{
-            .worldFromObject = core::Transform(matrix), .objectFromWorld = core::Transform(inverse), .shape = shape};
-        instance.isInPlace = matrix == glm::dmat4(1);
-        setErrorBounds(instance, matrix, inverse, extent);
-        scene_.instances.push_back(instance);
+        const RowSums sums(matrix, inverse);
+        scene_.instances.push_back({placementOf(matrix, inverse, sums), shape, 0, errorOf(matrix, sums, extent)});
+    }
+
+    Placement placementOf(const glm::dmat4& matrix, const glm::dmat4& inverse, const RowSums& sums) {
+        const core::Transform there(matrix), back(inverse);
+        if (matrix == glm::dmat4(1)) return {};
+        const auto isAligned = [](const core::Transform& m) {
+            return m.x.y == 0 && m.x.z == 0 && m.y.x == 0 && m.y.z == 0 && m.z.x == 0 && m.z.y == 0;
+        };
+        const auto aligned = [](const core::Transform& m) -> AlignedMap { return {{m.x.x, m.y.y, m.z.z}, m.translation}; };
+        if (isAligned(there) && isAligned(back)) return Placement::Aligned{aligned(there), aligned(back)};
+        scene_.placements.push_back(std::make_unique<Placement::General>(
+            Placement::General{there, back, static_cast<float>(sums.thereAndBack)}));
+        return Placement(scene_.placements.back().get());
     }
 
     // How far roundings may move a point along an axis on its way from the object to the world and back, in units of
-    // u = 2^-24, the relative size of one. norm is the largest sum of a row's absolute values in worldFromObject times
-    // the extent, thereAndBack that sum in |worldFromObject| |objectFromWorld|, |x| the point's largest coordinate.
+    // u = 2^-24, the relative size of one. norm is times the extent here, |x| the point's largest coordinate.
     // A row times a vector makes 4: the entries, the products and two sums.
     //   6 norm                                    where the shape computes it
     //   4 norm + |translation| + |x|              in worldFromObject
@@ -113,32 +143,18 @@ private:
     // and for a ray along the surface, which goes on for up to twice the extent,
     //   2 * 10 norm                               in its direction, out of the frame round the normal
     //   2 * (4 + 4) thereAndBack norm             in its direction in the object, and in the normal in the world
-    // The error per unit is twice what this asks for, since a shadow ray also rounds by how far away it starts.
-    static void setErrorBounds(Instance& instance, const glm::dmat4& matrix, const glm::dmat4& inverse, float extent) {
-        double norm = 0, thereAndBack = 0, backTranslation = 0;
-        for (int row = 0; row < 3; ++row) {
-            double rowNorm = 0, rowThereAndBack = 0, rowBackTranslation = 0;
-            for (int k = 0; k < 3; ++k) {
-                const double entry = std::abs(matrix[k][row]);
-                rowNorm += entry;
-                rowBackTranslation += entry * std::abs(inverse[3][k]);
-                for (int column = 0; column < 3; ++column) rowThereAndBack += entry * std::abs(inverse[column][k]);
-            }
-            norm = std::max(norm, rowNorm);
-            thereAndBack = std::max(thereAndBack, rowThereAndBack);
-            backTranslation = std::max(backTranslation, rowBackTranslation);
-        }
+    // Instance::errorPerUnit is twice what this asks for, since a shadow ray also rounds by how far away it starts.
+    static float errorOf(const glm::dmat4& matrix, const RowSums& sums, float extent) {
         const double translation = core::largestComponent(core::Vec3f(matrix[3]));
         constexpr double u = 0x1p-24;
-        instance.error =
-            static_cast<float>(u * ((48 + 16 * thereAndBack) * norm * extent + translation + backTranslation));
-        instance.errorPerUnit = static_cast<float>(u * (2 + 10 * thereAndBack));
+        return static_cast<float>(
+            u * ((48 + 16 * sums.thereAndBack) * sums.norm * extent + translation + sums.backTranslation));
     }
 
     // Gives the newest instance its material, and checks that single precision can hold it.
     void finish(const Node& node, const NamedMaterial* material) {
         Instance& instance = scene_.instances.back();
-        for (const core::Transform& map : {instance.worldFromObject, instance.objectFromWorld})
+        for (const core::Transform& map : {instance.place.worldFromObject(), instance.place.objectFromWorld()})
             for (const core::Vec3f& column : {map.x, map.y, map.z, map.translation})
                 if (!core::isFinite(column) || core::largestComponent(column) > 1e18f)
                     throw core::Error("SCENE", "RANGE", node.path(),

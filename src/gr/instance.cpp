@@ -13,7 +13,7 @@ struct ObjectBounds {
 }  // namespace
 
 core::Bounds Instance::bounds() const {
-    const core::Transform& map = worldFromObject;
+    const core::Transform map = place.worldFromObject();
     const core::Bounds object = std::visit(ObjectBounds{}, shape);
     const core::Vec3f centre = map.point((object.low + object.high) * 0.5f), half = object.size() * 0.5f;
     // A sphere reaches as far along each world axis as the root of the sum of squares, a box's corners as far as the
@@ -22,7 +22,7 @@ core::Bounds Instance::bounds() const {
                                   ? glm::sqrt(map.x * map.x + map.y * map.y + map.z * map.z)
                                   : glm::abs(map.x) * half.x + glm::abs(map.y) * half.y + glm::abs(map.z) * half.z;
     const core::Bounds exact{centre - reach, centre + reach};
-    return exact.widened(2 * (error + errorPerUnit * exact.reach()));
+    return exact.widened(2 * (error + errorPerUnit() * exact.reach()));
 }
 
 }  // namespace gr

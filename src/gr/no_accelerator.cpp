@@ -49,7 +49,7 @@ public:
             return false;
         });
         for (const std::uint32_t i : polyhedra_)
-            polyhedronOf(i).intersect(PackRay(scene_.instances[i].toObject(ray)), i, nearest);
+            polyhedronOf(i).intersect(PackRay(scene_.instances[i].place.toObject(ray)), i, nearest);
         if (nearest.t == core::infinity) return std::nullopt;
         return nearest;
     }
@@ -66,7 +66,7 @@ public:
             smallMeshes_[i].triangles.intersect(
                 packRay, [&](const TriangleHit<PackLanes>& found) { isMet = xsimd::any(found.t < never); });
         for (std::size_t i = 0; i < polyhedra_.size() && !isMet; ++i)
-            isMet = polyhedronOf(polyhedra_[i]).occluded(PackRay(scene_.instances[polyhedra_[i]].toObject(ray)));
+            isMet = polyhedronOf(polyhedra_[i]).occluded(PackRay(scene_.instances[polyhedra_[i]].place.toObject(ray)));
         return isMet;
     }
 
@@ -117,7 +117,7 @@ private:
 
     void add(std::uint32_t instance, const Polyhedron* polyhedron) {
         objects_ += polyhedron->triangleCount();
-        if (!scene_.instances[instance].isInPlace || polyhedron->triangleCount() > mostTrianglesOfSmallMesh) {
+        if (!scene_.instances[instance].place.isInPlace() || polyhedron->triangleCount() > mostTrianglesOfSmallMesh) {
             polyhedra_.push_back(instance);
             return;
         }
@@ -134,7 +134,7 @@ private:
     template<class Pack>
     void set(Pack& pack, std::size_t lane, std::uint32_t instance) {
         pack.instance[lane] = instance;
-        const core::Transform& from = scene_.instances[instance].objectFromWorld;
+        const core::Transform from = scene_.instances[instance].place.objectFromWorld();
         const auto setLane = [lane](PackLanes& lanes, float value) {
             alignas(16) float values[packWidth];
             lanes.store_aligned(values);

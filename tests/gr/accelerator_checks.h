@@ -125,7 +125,7 @@ private:
     // The middle of an object; of a unit box, its corner.
     core::Vec3f centre() {
         const auto count = static_cast<double>(scene_.instances.size());
-        return scene_.instances[static_cast<std::size_t>(random_.next() * count)].worldFromObject.translation;
+        return scene_.instances[static_cast<std::size_t>(random_.next() * count)].place.worldFromObject().translation;
     }
     core::Vec3f pointAbout(double away) {
         const glm::dvec3 low(bounds_.low), size(bounds_.size());

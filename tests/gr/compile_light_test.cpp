@@ -109,7 +109,7 @@ TEST_F(CompileLightTest, AParentsAndAnInstancesMatricesCountToo) {
     expectNear(scene.areaLights[1].normal, {0, -1, 0});
     expectNear(scene.areaLights[2].normal, {0, 0, -1});
     for (std::uint32_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(scene.instances[i].light, i);
+        EXPECT_EQ(std::get<Square>(scene.instances[i].shape).light, i);
         EXPECT_EQ(scene.areaLights[i].instance, i);
         EXPECT_FLOAT_EQ(scene.areaLights[i].area, i == 0 ? 16 : 32);
     }
@@ -120,8 +120,8 @@ TEST(CompileLight, OthersAreNone) {
     database.create(":", "s", SphereNode{});
     database.create(":", "l", AreaLightNode{{1, 1, 1}, {0, 0, 0}, 1});
     const Scene scene = compile(database, ":", {});
-    EXPECT_EQ(scene.instances[0].light, Instance::notALight);
-    EXPECT_EQ(scene.instances[1].light, 0u);
+    EXPECT_FALSE(std::holds_alternative<Square>(scene.instances[0].shape));
+    EXPECT_EQ(std::get<Square>(scene.instances[1].shape).light, 0u);
     EXPECT_EQ(scene.areaLights[0].instance, 1u);
 }
 

@@ -62,7 +62,7 @@ TEST(CompileLimits, ADeepTreeNeedsNoDeepStack) {
     database.create(path, "s", SphereNode{});
     const Scene scene = compile(database, ":", {});
     ASSERT_EQ(scene.instances.size(), 1u);
-    EXPECT_EQ(scene.instances[0].worldFromObject.translation, core::Vec3f(2000, 0, 0));
+    EXPECT_EQ(scene.instances[0].place.worldFromObject().translation, core::Vec3f(2000, 0, 0));
 }
 
 // Instances nest deeper with short paths.
@@ -78,7 +78,7 @@ TEST(CompileLimits, DeeplyNestedInstancesNeedNoDeepStack) {
     }
     const Scene scene = compile(database, ":" + std::to_string(depth), {});
     ASSERT_EQ(scene.instances.size(), 1u);
-    EXPECT_EQ(scene.instances[0].worldFromObject.translation, core::Vec3f(depth, 0, 0));
+    EXPECT_EQ(scene.instances[0].place.worldFromObject().translation, core::Vec3f(depth, 0, 0));
     EXPECT_EQ(errorOf([&] { database.createInstance(":0", "i", ":" + std::to_string(depth)); }),
               "NODE CYCLE [:100000] an instance of \":100000\" in \":0\" would hold itself");
 }

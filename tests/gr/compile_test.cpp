@@ -8,7 +8,7 @@ namespace gr {
 namespace {
 
 glm::dvec3 placeOf(const Instance& instance) {
-    return instance.worldFromObject.translation;
+    return instance.place.worldFromObject().translation;
 }
 
 // Where the unit spheres of a scene came to be, in its order.
@@ -51,8 +51,8 @@ TEST(Compile, SizesAndPlacesBecomePartOfTheTransform) {
     const glm::dmat4 expected[] = {placed({1, 2, 3}, glm::dvec3(4)), placed({1, 2, 3}, {4, 5, 6}),
                                    placed({7, 8, 9}, glm::dvec3(2))};
     for (int i = 0; i < 3; ++i) {
-        expectMatrix(scene.instances[i].worldFromObject, expected[i]);
-        expectMatrix(scene.instances[i].objectFromWorld, glm::inverse(expected[i]));
+        expectMatrix(scene.instances[i].place.worldFromObject(), expected[i]);
+        expectMatrix(scene.instances[i].place.objectFromWorld(), glm::inverse(expected[i]));
     }
     EXPECT_TRUE(std::holds_alternative<Sphere>(scene.instances[0].shape));
     EXPECT_TRUE(std::holds_alternative<Box>(scene.instances[1].shape));
@@ -81,7 +81,7 @@ TEST(Compile, ANodesChildrenMoveWithItAlsoWhenItIsALeaf) {
     EXPECT_EQ(placeOf(scene.instances[0]), glm::dvec3(5, 1, 0));
     // A sphere's centre and radius are its own, not its children's.
     EXPECT_EQ(placeOf(scene.instances[1]), glm::dvec3(0, 1, 0));
-    EXPECT_EQ(scene.instances[1].worldFromObject.x, core::Vec3f(1, 0, 0));
+    EXPECT_EQ(scene.instances[1].place.worldFromObject().x, core::Vec3f(1, 0, 0));
 }
 
 TEST(Compile, TheRenderedNodesOwnMatrixCountsThoseAboveItDoNot) {

@@ -41,7 +41,7 @@ TEST(DeepTree, NeedsNoDeepStack) {
 
         const Scene scene = compile(database, ":", {});
         ASSERT_EQ(scene.instances.size(), 1u);
-        EXPECT_EQ(scene.instances[0].worldFromObject.translation, core::Vec3f(depth, 0, 0));
+        EXPECT_EQ(scene.instances[0].place.worldFromObject().translation, core::Vec3f(depth, 0, 0));
 
         EXPECT_TRUE(database.print(":").ends_with("\n" + std::string(2 * depth + 2, ' ') + "sphere sphere {0 0 0} 1"));
         EXPECT_THROW(database.createInstance(path, "cycle", ":n"), core::Error);
