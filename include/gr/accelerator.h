@@ -37,6 +37,7 @@ public:
     virtual std::size_t bytes() const = 0;
     // What it is, for a person: "grid of 12 x 8 x 3 cells".
     virtual std::string description() const = 0;
+    std::string reason;  // why it was taken, where nobody asked for it by name
     // How many cells of a grid there are along each axis, of its top level; nothing for what is no grid.
     virtual std::optional<std::array<int, 3>> resolution() const { return std::nullopt; }
 
@@ -56,6 +57,10 @@ std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene);
 std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, int threads);
 // Embree's tree of boxes. Throws core::Error where Embree cannot be loaded.
 std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads);
+bool isEmbreeInstalled();
+
+// Of the three the one that is fastest for the scene; it says why.
+std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads);
 
 // What an accelerator may be called.
 std::span<const core::Word> acceleratorNames();

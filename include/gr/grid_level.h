@@ -32,14 +32,20 @@ struct GridLevel {
     float last(int axis) const { return static_cast<float>(count[axis] - 1); }
     // In cells from the low side.
     float coordinate(float x, int axis) const { return (x - low[axis]) * inverseCell[axis]; }
-    // What lies beyond the level belongs to its outermost cells.
     int cellAt(float coordinate, int axis) const {
         return static_cast<int>(core::min(core::max(coordinate, 0.f), last(axis)));
     }
     float boundary(int i, int axis) const { return low[axis] + static_cast<float>(i) * cell[axis]; }
+    // Of a cell, rounding included. What lies beyond the level belongs to its outermost cells.
+    core::Bounds boundsOf(const std::array<int, 3>& at) const;
 
     // Of a cell in its brick.
     static int bit(int i, int axis) { return (i % brickSide) << (2 * axis); }
+    // The cells of a brick that lie in a slice across an axis.
+    static std::uint64_t sliceMask(int i, int axis) {
+        constexpr std::array<std::uint64_t, 3> first{0x1111111111111111, 0x000f000f000f000f, 0x000000000000ffff};
+        return first[static_cast<std::size_t>(axis)] << bit(i, axis);
+    }
     // Where a cell is, of a level that knows itself by its brick and bit.
     std::array<int, 3> cellOf(int brick, int bit) const {
         return {brick % stride[1] * brickSide + bit % 4, brick % stride[2] / stride[1] * brickSide + bit / 4 % 4,

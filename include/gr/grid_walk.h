@@ -35,13 +35,14 @@ public:
         int slice = level.cellAt(course.isForward ? course.low : course.high, course.axis);
         const int last = level.cellAt(course.isForward ? course.high : course.low, course.axis);
         const int step = course.isForward ? 1 : -1;
-        if (level.isOneBrick()) return throughSlices(course, slice, last, step);
+        if (level.isOneBrick()) return throughSlices(course, course.bricks->occupied, slice, last, step);
         for (;;) {
             const int first = slice / Level::brickSide * Level::brickSide;
             const int brickEnd =
                 course.isForward ? std::min(first + Level::brickSide - 1, last) : std::max(first, last);
             if (course.entry(slice) > nearest_) return false;
-            if (anyIn(course, first) && throughSlices(course, slice, brickEnd, step)) return true;
+            const std::uint64_t occupied = occupiedIn(course, first);
+            if (occupied != 0 && throughSlices(course, occupied, slice, brickEnd, step)) return true;
             if (brickEnd == last) return false;
             slice = brickEnd + step;
         }
@@ -124,31 +125,36 @@ private:
         return begin <= end;
     }
 
-    // Whether any brick that the ray touches in the four slices from `first` on holds anything.
-    bool anyIn(const Course& course, int first) {
-        const auto cells = course.cells(first, Level::brickSide);
-        std::uint64_t any = 0;
-        for (int v = cells.vFirst() / Level::brickSide; v <= cells.vLast() / Level::brickSide; ++v)
-            for (int u = cells.uFirst() / Level::brickSide; u <= cells.uLast() / Level::brickSide; ++u, ++counts_.cells)
-                any |= course.bricks[first / Level::brickSide * course.stride + u * course.uStride + v * course.vStride]
-                           .occupied;
-        return any != 0;
+    // Which cells are occupied in any of the bricks that the ray touches in the four slices from `first` on.
+    std::uint64_t occupiedIn(const Course& course, int first) {
+        constexpr int side = Level::brickSide;
+        const auto cells = course.cells(first, side);
+        std::uint64_t occupied = 0;
+        for (int v = cells.vFirst(); v / side <= cells.vLast() / side; v += side)
+            for (int u = cells.uFirst(); u / side <= cells.uLast() / side; u += side, ++counts_.cells)
+                occupied |= course.brick(first, u, v).occupied;
+        return occupied;
     }
 
-    bool throughSlices(const Course& course, int first, int last, int step) {
+    // occupied: cells that are, in any brick.
+    bool throughSlices(const Course& course, std::uint64_t occupied, int first, int last, int step) {
         for (int slice = first;; slice += step) {
             if (course.entry(slice) > nearest_) return false;
-            const auto cells = course.cells(slice, 1);
-            for (int v = cells.vFirst(); v <= cells.vLast(); ++v)
-                for (int u = cells.uFirst(); u <= cells.uLast(); ++u) {
-                    ++counts_.cells;
-                    const Brick& brick = course.brick(slice, u, v);
-                    const int place =
-                        Level::bit(slice, course.axis) | Level::bit(u, course.u) | Level::bit(v, course.v);
-                    if ((brick.occupied >> place & 1) != 0 && throughCell(brick, place)) return true;
-                }
+            if ((occupied & Level::sliceMask(slice, course.axis)) != 0 && throughSlice(course, slice)) return true;
             if (slice == last) return false;
         }
+    }
+
+    bool throughSlice(const Course& course, int slice) {
+        const auto cells = course.cells(slice, 1);
+        for (int v = cells.vFirst(); v <= cells.vLast(); ++v)
+            for (int u = cells.uFirst(); u <= cells.uLast(); ++u) {
+                ++counts_.cells;
+                const Brick& brick = course.brick(slice, u, v);
+                const int place = Level::bit(slice, course.axis) | Level::bit(u, course.u) | Level::bit(v, course.v);
+                if ((brick.occupied >> place & 1) != 0 && throughCell(brick, place)) return true;
+            }
+        return false;
     }
 
     bool throughCell(const Brick& brick, int place) {

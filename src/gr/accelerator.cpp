@@ -1,5 +1,7 @@
 #include "gr/accelerator.h"
 
+#include "gr/scene.h"
+
 #include <algorithm>
 #include <array>
 
@@ -11,14 +13,35 @@ struct Row {
     std::unique_ptr<Accelerator> (*make)(const Scene& scene, int threads);
 };
 
-constexpr std::array<Row, 4> rows{{
+constexpr std::array<Row, 5> rows{{
     {"off", [](const Scene& scene, int) { return makeNoAccelerator(scene); }},
     {"on", makeGridAccelerator},
     {"grid", makeGridAccelerator},
     {"embree", makeEmbreeAccelerator},
+    {"auto", makeFastestAccelerator},
 }};
 
 }  // namespace
+
+// docs/performance.md tells how that was measured: few objects are tested, four at once, before a tree's first box is;
+// many are found best by Embree, where it is installed.
+std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads) {
+    std::size_t objects = scene.instances.size();
+    for (const auto& polyhedron : scene.polyhedra) objects += polyhedron->triangleCount();
+    constexpr std::size_t few = 32;
+    std::unique_ptr<Accelerator> fastest;
+    std::string reason = "chosen for " + std::to_string(objects) + " objects";
+    if (objects <= few) {
+        fastest = makeNoAccelerator(scene);
+    } else if (isEmbreeInstalled()) {
+        fastest = makeEmbreeAccelerator(scene, threads);
+    } else {
+        fastest = makeGridAccelerator(scene, threads);
+        reason += ", as Embree is not installed";
+    }
+    fastest->reason = reason;
+    return fastest;
+}
 
 std::span<const core::Word> acceleratorNames() {
     static const auto names = [] {

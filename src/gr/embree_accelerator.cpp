@@ -1,3 +1,5 @@
+#include "core/error.h"
+#include "gr/embree_library.h"
 #include "gr/embree_tree.h"
 #include "gr/two_level_accelerator.h"
 
@@ -27,6 +29,15 @@ public:
 };
 
 }  // namespace
+
+bool isEmbreeInstalled() {
+    try {
+        EmbreeLibrary::get();
+        return true;
+    } catch (const core::Error&) {
+        return false;
+    }
+}
 
 std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads) {
     return std::make_unique<EmbreeAccelerator>(scene, threads);

@@ -54,7 +54,8 @@ private:
     // Nothing for an inner level (depth > 0) that does not keep its items apart.
     std::optional<Part> levelFor(Items items, const Bounds& box, int depth) const {
         Part part;
-        part.levels.push_back(bestLevel(items, box));
+        const double cells = bestResolution(items, box, depth).cells * refinement_;
+        part.levels.emplace_back(box, std::max(cells, 1.0), grid_.errorPerUnit_);
         const Level& level = part.levels[0];
         const std::size_t occupied = occupy(level, items, part.bricks);
         std::vector<std::uint32_t> begins, sorted;
@@ -66,40 +67,68 @@ private:
         return part;
     }
 
-    // Of some resolutions the one with which a ray through the box takes the least time.
-    Level bestLevel(Items items, const Bounds& box) const {
+    // What a ray pays, in nanoseconds or so, to enter a level, to look at a slice of bricks or of cells, to look into a
+    // cell, and to test an item.
+    static constexpr double costOfLevel = 20, costOfBricks = 20, costOfSlice = 12, costOfCell = 4, costOfTest = 10;
+
+    struct Choice {
+        double cells, cost;
+    };
+    // Of some resolutions the one with which a ray takes the least time.
+    Choice bestResolution(Items items, const Bounds& box, int depth) const {
         const double n = static_cast<double>(items.size());
-        double best = 1, least = core::infinity;
+        Choice best{1, core::infinity};
         for (double cells = n / 64; cells <= 64 * n; cells *= 4) {
             const Level level(box, std::max(cells, 1.0), grid_.errorPerUnit_);
             const double listed = copies(level, items);
-            if (listed > mostCopies * n && least < core::infinity) break;
-            const double cost = costOf(level, items, listed);
-            if (cost >= least) continue;
-            least = cost;
-            best = cells;
+            if (listed > mostCopies * n && best.cost < core::infinity) break;
+            const double cost = costOf(level, items, listed, depth);
+            if (cost < best.cost) best = {cells, cost};
         }
-        return {box, std::max(best * refinement_, 1.0), grid_.errorPerUnit_};
+        return best;
     }
 
-    // What a ray that crosses the level costs, in nanoseconds or so.
-    double costOf(const Level& level, Items items, double listed) const {
-        constexpr double costOfLevel = 60, costOfBricks = 8, costOfSlice = 8, costOfCell = 3, costOfTest = 20;
+    double costOf(const Level& level, Items items, double listed, int depth) const {
         std::vector<Brick> bricks;
         const double occupied = static_cast<double>(occupy(level, items, bricks));
         const auto isOccupied = [](const Brick& brick) { return brick.occupied != 0; };
         const double occupiedBricks = static_cast<double>(std::count_if(bricks.begin(), bricks.end(), isOccupied));
-        // A line through a box is in it for 4 V / S on average; 0.83 of a cell's side along its main axis for each.
+        // A line through a box is in it for 4 V / S on average, and goes 0.8 of that along its main axis; but rays end
+        // at what they hit, half way. A slice with its slope and slack is 2.2 cells wide.
         const double x = level.count[0], y = level.count[1], z = level.count[2];
-        const double slices = 0.83 * 2 * x * y * z / (x * y + y * z + z * x);
+        const double slices = (depth == 0 ? 0.4 : 0.8) * 2 * x * y * z / (x * y + y * z + z * x);
         const double anyInBricks = std::min(1.0, 2 * occupiedBricks / static_cast<double>(bricks.size()));
-        // A slice with its slope and slack is 2.2 cells wide. A cell that will be split costs the cube root of what is
-        // in it, or there about.
-        const double inCell = listed / occupied;
-        const bool isSplit = inCell > mostInCell && 4 * inCell < static_cast<double>(items.size());
-        const double costInCell = isSplit ? costOfLevel + 20 * std::cbrt(inCell) : costOfTest * inCell;
-        return slices * (costOfBricks / Level::brickSide + costOfSlice * anyInBricks +
-                         2.2 * occupied / level.cellCount() * (costOfCell + costInCell));
+        const double occupiedCells = 2.2 * slices * occupied / level.cellCount();
+        return costOfLevel + slices * (costOfBricks / Level::brickSide + costOfSlice * anyInBricks) +
+               occupiedCells * (costOfCell + costInCell(level, items, listed / occupied, depth));
+    }
+
+    // Of what is in an occupied cell.
+    double costInCell(const Level& level, Items items, double inCell, int depth) const {
+        const double n = static_cast<double>(items.size());
+        if (inCell <= mostInCell || 4 * inCell > n) return costOfTest * inCell;
+        if (depth > 0 || items.size() < 256) return costOfLevel + 12 * std::cbrt(inCell);
+        // Look into a few.
+        constexpr std::size_t samples = 4;
+        double sum = 0;
+        for (std::size_t i = 0; i < samples; ++i) {
+            const Bounds& item = bounds_[items[(2 * i + 1) * items.size() / (2 * samples)]];
+            std::array<int, 3> at;
+            for (int axis = 0; axis < 3; ++axis)
+                at[axis] = level.cellAt(level.coordinate(0.5f * (item.low[axis] + item.high[axis]), axis), axis);
+            const Bounds cell = level.boundsOf(at);
+            std::vector<std::uint32_t> inside;
+            Bounds filled;
+            for (const std::uint32_t other : items) {
+                const Bounds part = bounds_[other].intersection(cell);
+                if (part.isEmpty()) continue;
+                inside.push_back(other);
+                filled.include(part);
+            }
+            const double all = costOfTest * static_cast<double>(inside.size());
+            sum += inside.size() <= mostInCell ? all : std::min(all, bestResolution(inside, filled, depth + 1).cost);
+        }
+        return sum / samples;
     }
 
     // How often items would be listed, in all.
@@ -206,16 +235,9 @@ private:
 
     // What the items of a cell fill of it.
     Bounds boxIn(const Level& level, int brick, int bit, Items items) const {
-        const std::array<int, 3> at = level.cellOf(brick, bit);
-        Bounds whole, filled;
-        for (int axis = 0; axis < 3; ++axis) {
-            // What lies beyond the level belongs to its outermost cells.
-            const float beyond = core::infinity;
-            whole.low[axis] = at[axis] == 0 ? -beyond : level.boundary(at[axis], axis) - level.rounding;
-            whole.high[axis] =
-                at[axis] + 1 == level.count[axis] ? beyond : level.boundary(at[axis] + 1, axis) + level.rounding;
-        }
-        for (const std::uint32_t item : items) filled.include(bounds_[item].intersection(whole));
+        const Bounds cell = level.boundsOf(level.cellOf(brick, bit));
+        Bounds filled;
+        for (const std::uint32_t item : items) filled.include(bounds_[item].intersection(cell));
         return filled;
     }
 

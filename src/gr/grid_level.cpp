@@ -37,4 +37,13 @@ GridLevel::GridLevel(const core::Bounds& box, double cells, float errorPerUnit) 
     stride = {1, bricks(0), bricks(0) * bricks(1)};
 }
 
+core::Bounds GridLevel::boundsOf(const std::array<int, 3>& at) const {
+    core::Bounds bounds;
+    for (int axis = 0; axis < 3; ++axis) {
+        bounds.low[axis] = at[axis] == 0 ? -core::infinity : boundary(at[axis], axis) - rounding;
+        bounds.high[axis] = at[axis] + 1 == count[axis] ? core::infinity : boundary(at[axis] + 1, axis) + rounding;
+    }
+    return bounds;
+}
+
 }  // namespace gr

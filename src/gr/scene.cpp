@@ -41,7 +41,8 @@ inline core::Vec3f facing(const core::Vec3f& normal, const core::Vec3f& directio
 SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     const Instance& instance = instances[hit.instance];
     SurfacePoint surface;
-    surface.error = instance.error + instance.errorPerUnit() * core::largestComponent(ray.origin + ray.direction * hit.t);
+    surface.error =
+        instance.error + instance.errorPerUnit() * core::largestComponent(ray.origin + ray.direction * hit.t);
 
     // No coordinate of the step off the surface is larger than (1 + sqrt(3)) / 2 times the error, and rounding adds the
     // error once more: 2.4 in all, along each of the world's axes, and so on to the object's.
@@ -64,7 +65,8 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     surface.objectNormal = point.normal;
     surface.instance = &instance;
     surface.isSmooth = false;
-    if (const auto* polyhedron = std::get_if<const Polyhedron*>(&instance.shape); polyhedron && (*polyhedron)->hasNormals())
+    if (const auto* polyhedron = std::get_if<const Polyhedron*>(&instance.shape);
+        polyhedron && (*polyhedron)->hasNormals())
         setSmoothNormal(surface, **polyhedron, hit, ray.direction, point.front);
     surface.material = &materials[instance.material];
     const auto* square = std::get_if<Square>(&instance.shape);
@@ -81,8 +83,9 @@ core::Rayf Scene::shadowRay(const core::Vec3f& start, const AreaLight& light, co
 
 std::size_t Scene::bytes() const {
     std::size_t bytes = instances.capacity() * sizeof(Instance) +
-                        placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) + materials.capacity() * sizeof(materials::Material) +
-                        areaLights.capacity() * sizeof(AreaLight) + pointLights.capacity() * sizeof(PointLight);
+                        placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) +
+                        materials.capacity() * sizeof(materials::Material) + areaLights.capacity() * sizeof(AreaLight) +
+                        pointLights.capacity() * sizeof(PointLight);
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
     return bytes;
 }

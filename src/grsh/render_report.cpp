@@ -29,6 +29,10 @@ Tcl_Obj* resolutionList(const gr::Accelerator& accelerator) {
     return list;
 }
 
+std::string acceleratorText(const gr::Accelerator& accelerator) {
+    return accelerator.description() + (accelerator.reason.empty() ? "" : ", " + accelerator.reason);
+}
+
 }  // namespace
 
 Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
@@ -40,7 +44,7 @@ Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
                    {"rays", raysDict(result.rays)},
                    {"tests", perRay(result.rays.traversal.tests, result.rays)},
                    {"cells", perRay(result.rays.traversal.cells, result.rays)},
-                   {"accelerator", textObject(report.accelerator.description())},
+                   {"accelerator", textObject(acceleratorText(report.accelerator))},
                    {"resolution", resolutionList(report.accelerator)},
                    {"build", Tcl_NewDoubleObj(report.buildSeconds)},
                    {"bytes", countObject(report.sceneBytes + acceleratorBytes + report.pictureBytes)},
@@ -58,7 +62,7 @@ void printSummary(const RenderReport& report, const RenderJob& job) {
                        ", " + rateText(report.result.rays.total(), report.seconds);
     if (report.result.droppedSamples > 0)
         line += ", " + std::to_string(report.result.droppedSamples) + " samples dropped (not finite)";
-    line += ", " + report.accelerator.description();
+    line += ", " + acceleratorText(report.accelerator);
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 
