@@ -10,7 +10,7 @@ namespace grsh {
 struct RenderReport {
     const render::RenderResult& result;
     const gr::Accelerator& accelerator;
-    double buildSeconds, seconds;  // of the accelerator, of everything
+    double buildSeconds, renderSeconds, seconds;  // of the accelerator, of the rays, of everything
     std::size_t sceneBytes, pictureBytes;
 };
 

@@ -28,7 +28,7 @@ constexpr std::array<Row, 5> rows{{
 std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads) {
     std::size_t objects = scene.instances.size();
     for (const auto& polyhedron : scene.polyhedra) objects += polyhedron->triangleCount();
-    constexpr std::size_t few = 32;
+    constexpr std::size_t few = 20;
     std::unique_ptr<Accelerator> fastest;
     std::string reason = "chosen for " + std::to_string(objects) + " objects";
     if (objects <= few) {

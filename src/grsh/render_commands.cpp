@@ -79,12 +79,15 @@ Tcl_Obj* renderCommand(Call& call) {
     const auto integrator =
         render::makeReportIntegrator(scene, *accelerator, job.settings, job.ambient, core::Vec3f(job.eye));
     render::Film film(job.width, job.height, job.startLine(), job.lines());
+    const auto renderStart = std::chrono::steady_clock::now();
     const render::RenderResult result = renderFilm(job, *integrator, film);
+    const double renderSeconds = secondsSince(renderStart);
     if (!result.finished) throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");
 
     // Write the picture, and say what was done.
     file.write(film, job.settings.exposure, metadataOf(job, call.interp));
-    const RenderReport report{result, *accelerator, buildSeconds, secondsSince(start), scene.bytes(), film.bytes()};
+    const RenderReport report{result,        *accelerator, buildSeconds, renderSeconds, secondsSince(start),
+                              scene.bytes(), film.bytes()};
     if (job.settings.progress) printSummary(report, job);
     call.session.lastRender = hold(reportDict(report, call.words.object(1)));
     return call.session.lastRender.get();

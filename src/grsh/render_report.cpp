@@ -47,6 +47,7 @@ Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
                    {"accelerator", textObject(acceleratorText(report.accelerator))},
                    {"resolution", resolutionList(report.accelerator)},
                    {"build", Tcl_NewDoubleObj(report.buildSeconds)},
+                   {"rendering", Tcl_NewDoubleObj(report.renderSeconds)},
                    {"bytes", countObject(report.sceneBytes + acceleratorBytes + report.pictureBytes)},
                    {"memory", dictOf({{"scene", countObject(report.sceneBytes)},
                                       {"accelerator", countObject(acceleratorBytes)},

@@ -41,7 +41,7 @@ proc row {side accelerator} {
     set results $::results($side,$accelerator)
     foreach result $results {
         lappend build [dict get $result build]
-        lappend render [expr {[dict get $result seconds] - [dict get $result build]}]
+        lappend render [dict get $result rendering]
     }
     set bytes [expr {[dict get $result memory scene] + [dict get $result memory accelerator]}]
     join [list [expr {$side * $side}] $accelerator [format %.3g [median $build]] [format %.3g [median $render]] \
