@@ -6,7 +6,6 @@
 #include "gr/shape.h"
 #include "gr/triangle.h"
 
-#include <algorithm>
 #include <array>
 
 namespace gr {
@@ -36,30 +35,20 @@ struct PackRay : TriangleRay<PackLanes, UniformAxes> {
 // Triangles. A lane that is not set holds an empty triangle, which no ray meets.
 struct alignas(16) TrianglePack {
     float vertex[3][3][packWidth] = {};  // [vertex][axis][lane]
-    float isThin[packWidth] = {};  // 1 where areas lose more than five bits to cancellation
-    bool hasThin = false;
 
     void set(int lane, const std::array<core::Vec3f, 3>& v) {
         for (int corner = 0; corner < 3; ++corner)
             for (int axis = 0; axis < 3; ++axis) vertex[corner][axis][lane] = v[corner][axis];
-        const core::Vec3f ab = v[1] - v[0], bc = v[2] - v[1], ca = v[0] - v[2];
-        const float longest = std::max({glm::dot(ab, ab), glm::dot(bc, bc), glm::dot(ca, ca)});
-        isThin[lane] = longest > 32 * glm::length(glm::cross(ab, ca)) ? 1.f : 0.f;
-        hasThin = hasThin || isThin[lane] != 0;
     }
     core::Vec3f corner(int lane, int i) const { return {vertex[i][0][lane], vertex[i][1][lane], vertex[i][2][lane]}; }
 
-    // Calls found(hit) where the ray meets any. Most packs are missed by most rays: how far along the ray is asked
-    // only where one is not.
+    // Calls found(hit) where the ray meets any. Most packs are missed by most rays: the exact areas, and how far along
+    // the ray, are asked only where one is not.
     template<class Found>
     void intersect(const PackRay& ray, Found&& found) const {
         const core::Vec3<PackLanes> a = load(ray, 0), b = load(ray, 1), c = load(ray, 2);
-        TriangleCrossing<PackLanes> crossing = ray.cross(a, b, c);
-        if (!xsimd::any(crossing.inside)) return;
-        // Lane by lane: a triangle's t must not depend on what it shares a pack with.
-        if (hasThin)
-            crossing = select(PackLanes::load_aligned(isThin) > PackLanes(0.f), ray.exactCross(a, b, c), crossing);
-        found(ray.hit(crossing, a, b, c));
+        if (!xsimd::any(ray.cross(a, b, c).inside)) return;
+        found(ray.hit(ray.exactCross(a, b, c), a, b, c));
     }
 
 private:

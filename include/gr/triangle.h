@@ -118,9 +118,10 @@ struct TriangleRay {
         return crossingOf(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
     }
 
-    // The areas of a thin triangle are small differences of large products. With what the products lose by rounding, t,
-    // which is a mean weighted by the areas, would be so far off that a ray met the triangle that it has just left.
-    // Signs that are not 0 in `cross` are the same here.
+    // The areas of a thin triangle, or of a small one far from the ray, are small differences of large products. With
+    // what the products lose by rounding, t, which is a mean weighted by the areas, would be so far off that a ray met
+    // the triangle that it has just left; and all areas could be 0, or one of them not, where the ray passes by at a
+    // distance. Signs that are not 0 in `cross` are the same here.
     TriangleCrossing<Real> exactCross(const core::Vec3<Real>& v0, const core::Vec3<Real>& v1,
                                       const core::Vec3<Real>& v2) const {
         const core::Vec2<Real> a = sheared(v0), b = sheared(v1), c = sheared(v2);
