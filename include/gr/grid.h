@@ -41,6 +41,7 @@ private:
     template<class Visit>
     class Walk;
 
+    std::vector<std::uint32_t> outliers_;  // items that are visited for every ray
     std::vector<Level> levels_;  // the first is over everything
     std::vector<Brick> bricks_;
     // Where the items of each occupied cell begin, those of a level behind one another; one more is behind the last.

@@ -184,6 +184,8 @@ private:
 
 template<class Visit>
 void Grid::walk(const core::Rayf& ray, const float& nearest, TraversalCounts& counts, Visit&& visit) const {
+    for (const std::uint32_t item : outliers_)
+        if (visit(item)) return;
     if (!levels_.empty()) Walk<Visit>(*this, ray, nearest, counts, visit).through(levels_[0]);
 }
 

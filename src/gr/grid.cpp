@@ -23,9 +23,8 @@ public:
     void build() {
         std::vector<std::uint32_t> all(bounds_.size());
         std::iota(all.begin(), all.end(), 0u);
-        Bounds box;
-        for (const Bounds& item : bounds_) box.include(item);
-        Part whole = *levelFor(all, box, 0);
+        grid_.outliers_ = takeOutliers(all);
+        Part whole = *levelFor(all, boxOf(all), 0);
         whole.items.shrink_to_fit();
         grid_.levels_ = std::move(whole.levels);
         grid_.bricks_ = std::move(whole.bricks);
@@ -45,6 +44,53 @@ private:
         std::vector<std::uint32_t> cells;
         std::vector<std::uint32_t> items;
     };
+
+    Bounds boxOf(Items items) const {
+        Bounds box;
+        for (const std::uint32_t item : items) box.include(bounds_[item]);
+        return box;
+    }
+
+    // Takes out what alone makes the box much larger, such as a lamp far above everything.
+    std::vector<std::uint32_t> takeOutliers(std::vector<std::uint32_t>& items) const {
+        constexpr std::size_t most = 8, few = 64;
+        constexpr double muchSmaller = 0.6;
+        std::vector<std::uint32_t> outliers;
+        while (outliers.size() < most && items.size() > few) {
+            double least = muchSmaller * surface(boxOf(items));
+            std::optional<std::uint32_t> outlier;
+            for (const std::uint32_t item : outermost(items)) {
+                Bounds others;
+                for (const std::uint32_t other : items)
+                    if (other != item) others.include(bounds_[other]);
+                if (surface(others) >= least) continue;
+                least = surface(others);
+                outlier = item;
+            }
+            if (!outlier) break;
+            std::erase(items, *outlier);
+            outliers.push_back(*outlier);
+        }
+        return outliers;
+    }
+
+    static double surface(const Bounds& box) {
+        const glm::dvec3 size = box.size();
+        return size.x * size.y + size.y * size.z + size.z * size.x;
+    }
+
+    // Those that reach farthest to the six sides.
+    std::array<std::uint32_t, 6> outermost(Items items) const {
+        std::array<std::uint32_t, 6> found;
+        found.fill(items[0]);
+        for (const std::uint32_t item : items)
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const int k = static_cast<int>(axis);
+                if (bounds_[item].low[k] < bounds_[found[axis]].low[k]) found[axis] = item;
+                if (bounds_[item].high[k] > bounds_[found[axis + 3]].high[k]) found[axis + 3] = item;
+            }
+        return found;
+    }
 
     static constexpr double mostCopies = 6;  // of an item in cells, on average
     // A cell with more items than this gets a level of its own, unless that would not keep them apart either.
@@ -291,7 +337,7 @@ Grid::Grid(std::span<const Bounds> bounds, float errorPerUnit, int threads, doub
 
 std::size_t Grid::bytes() const {
     return levels_.capacity() * sizeof(Level) + bricks_.capacity() * sizeof(Brick) +
-           (cells_.capacity() + items_.capacity()) * sizeof(std::uint32_t);
+           (outliers_.capacity() + cells_.capacity() + items_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace gr

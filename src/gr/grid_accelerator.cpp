@@ -23,6 +23,7 @@ public:
         const auto [x, y, z] = objects().resolution();
         std::string text =
             "grid of " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z) + " cells";
+        if (objects().levelCount() > 1) text += ", " + std::to_string(objects().levelCount() - 1) + " in crowded cells";
         if (!meshes().empty()) text += ", " + std::to_string(meshes().size()) + " in meshes";
         return text;
     }
