@@ -1,6 +1,7 @@
 // Finding what rays meet: lattices of spheres that fill the same part of the picture however many they are, and a mesh.
 // Each benchmark traces a picture's camera rays, and from what they meet a shadow ray each, on one thread.
 #include "gr/database.h"
+#include "gr/grid_walk.h"
 #include "gr/scene.h"
 #include "gr/uv_sphere_mesh.h"
 #include "native_embree.h"
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <random>
 
 namespace {
 
@@ -121,7 +123,62 @@ void build(benchmark::State& state, const char* name, int n) {
     state.counters["scene's, each"] = static_cast<double>(scene.bytes()) / objects;
 }
 
+// Balls of many sizes at random.
+gr::Scene randomBalls() {
+    constexpr int count = 50000;
+    gr::Database database;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(-1, 1), size(0.002, 0.014);
+    for (int i = 0; i < count; ++i) {
+        const double x = place(random), y = place(random), z = place(random);
+        database.create(":", "s" + std::to_string(i), gr::SphereNode{{x, y, z}, size(random)});
+    }
+    return gr::compile(database, ":", {});
+}
+
+// The grid over the scene's objects, or the packs of its mesh, with more or fewer cells than it takes by itself: the
+// choice is good where no other is much faster.
+void refine(benchmark::State& state, const gr::Scene& scene, double refinement) {
+    const gr::Polyhedron* mesh = scene.polyhedra.empty() ? nullptr : scene.polyhedra[0].get();
+    std::vector<core::Bounds> bounds(mesh != nullptr ? mesh->packCount() : scene.instances.size());
+    for (std::uint32_t i = 0; i < bounds.size(); ++i)
+        bounds[i] = mesh != nullptr ? mesh->packBounds(i).widened(1e-5f) : scene.instances[i].bounds();
+    const gr::Grid grid(bounds, 0x1p-19f, 1, refinement);
+    const auto intersect = [&](const core::Rayf& ray) {
+        gr::Hit nearest;
+        gr::TraversalCounts counts;
+        const gr::PackRay packRay(ray);
+        grid.walk(ray, nearest.t, counts, [&](std::uint32_t i) {
+            if (mesh != nullptr)
+                mesh->intersect(packRay, i, 0, nearest);
+            else
+                nearest.t = std::min(nearest.t, gr::Sphere{}.intersect(scene.instances[i].place.toObject(ray)));
+            return false;
+        });
+        return nearest.t;
+    };
+    const std::vector<core::Rayf> rays = cameraRays();
+    int count = 0;
+    for (auto _ : state)
+        count = trace(rays, intersect, [&](const core::Rayf& ray) { return intersect(ray) < ray.tMax; });
+    setRate(state, count);
+    state.counters["bytes each"] = static_cast<double>(grid.bytes()) / static_cast<double>(bounds.size());
+}
+
+void addRefinements() {
+    for (const char* name : {"lattice", "random", "mesh"})
+        for (const double refinement : {1. / 64, 1. / 16, 1. / 4, 1., 4., 16., 64.})
+            benchmark::RegisterBenchmark(
+                ("cells/" + std::string(name) + "/" + std::to_string(refinement)).c_str(),
+                [=](auto& s) {
+                    static const gr::Scene random = randomBalls();
+                    refine(s, name[0] == 'l' ? sceneOf(320) : name[0] == 'm' ? sceneOf(0) : random, refinement);
+                })
+                ->Unit(benchmark::kMillisecond);
+}
+
 void addAll() {
+    addRefinements();
     for (const char* name : {"off", "grid", "embree"}) {
         for (const int n : {2, 4, 10, 32, 100, 320, 1000}) {
             if (std::string(name) == "off" && n > 32) continue;
