@@ -1,6 +1,7 @@
 #include "gr/grid.h"
 
 #include "core/parallel.h"
+#include "gr/grid_outliers.h"
 
 #include <algorithm>
 #include <atomic>
@@ -23,8 +24,8 @@ public:
     void build() {
         std::vector<std::uint32_t> all(bounds_.size());
         std::iota(all.begin(), all.end(), 0u);
-        grid_.outliers_ = takeOutliers(all);
-        Part whole = *levelFor(all, boxOf(all), 0);
+        grid_.outliers_ = takeOutliers(bounds_, all);
+        Part whole = *levelFor(all, boxOf(bounds_, all), 0);
         whole.items.shrink_to_fit();
         grid_.levels_ = std::move(whole.levels);
         grid_.bricks_ = std::move(whole.bricks);
@@ -44,53 +45,6 @@ private:
         std::vector<std::uint32_t> cells;
         std::vector<std::uint32_t> items;
     };
-
-    Bounds boxOf(Items items) const {
-        Bounds box;
-        for (const std::uint32_t item : items) box.include(bounds_[item]);
-        return box;
-    }
-
-    // Takes out what alone makes the box much larger, such as a lamp far above everything.
-    std::vector<std::uint32_t> takeOutliers(std::vector<std::uint32_t>& items) const {
-        constexpr std::size_t most = 8, few = 64;
-        constexpr double muchSmaller = 0.6;
-        std::vector<std::uint32_t> outliers;
-        while (outliers.size() < most && items.size() > few) {
-            double least = muchSmaller * surface(boxOf(items));
-            std::optional<std::uint32_t> outlier;
-            for (const std::uint32_t item : outermost(items)) {
-                Bounds others;
-                for (const std::uint32_t other : items)
-                    if (other != item) others.include(bounds_[other]);
-                if (surface(others) >= least) continue;
-                least = surface(others);
-                outlier = item;
-            }
-            if (!outlier) break;
-            std::erase(items, *outlier);
-            outliers.push_back(*outlier);
-        }
-        return outliers;
-    }
-
-    static double surface(const Bounds& box) {
-        const glm::dvec3 size = box.size();
-        return size.x * size.y + size.y * size.z + size.z * size.x;
-    }
-
-    // Those that reach farthest to the six sides.
-    std::array<std::uint32_t, 6> outermost(Items items) const {
-        std::array<std::uint32_t, 6> found;
-        found.fill(items[0]);
-        for (const std::uint32_t item : items)
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const int k = static_cast<int>(axis);
-                if (bounds_[item].low[k] < bounds_[found[axis]].low[k]) found[axis] = item;
-                if (bounds_[item].high[k] > bounds_[found[axis + 3]].high[k]) found[axis + 3] = item;
-            }
-        return found;
-    }
 
     static constexpr double mostCopies = 6;  // of an item in cells, on average
     // A cell with more items than this gets a level of its own, unless that would not keep them apart either.
@@ -154,27 +108,30 @@ private:
         const double n = static_cast<double>(items.size());
         if (inCell <= mostInCell || 4 * inCell > n) return costOfTest * inCell;
         if (depth > 0 || items.size() < 256) return costOfLevel + 12 * std::cbrt(inCell);
-        // Look into a few.
+        // Look into the cells of a few.
         constexpr std::size_t samples = 4;
         double sum = 0;
-        for (std::size_t i = 0; i < samples; ++i) {
-            const Bounds& item = bounds_[items[(2 * i + 1) * items.size() / (2 * samples)]];
-            std::array<int, 3> at;
-            for (int axis = 0; axis < 3; ++axis)
-                at[axis] = level.cellAt(level.coordinate(0.5f * (item.low[axis] + item.high[axis]), axis), axis);
-            const Bounds cell = level.boundsOf(at);
-            std::vector<std::uint32_t> inside;
-            Bounds filled;
-            for (const std::uint32_t other : items) {
-                const Bounds part = bounds_[other].intersection(cell);
-                if (part.isEmpty()) continue;
-                inside.push_back(other);
-                filled.include(part);
-            }
-            const double all = costOfTest * static_cast<double>(inside.size());
-            sum += inside.size() <= mostInCell ? all : std::min(all, bestResolution(inside, filled, depth + 1).cost);
-        }
+        for (std::size_t i = 0; i < samples; ++i)
+            sum += costRound(level, items, items[(2 * i + 1) * items.size() / (2 * samples)], depth);
         return sum / samples;
+    }
+
+    // Of the cell that an item's middle is in.
+    double costRound(const Level& level, Items items, std::uint32_t item, int depth) const {
+        const core::Vec3f middle = 0.5f * (bounds_[item].low + bounds_[item].high);
+        std::array<int, 3> at;
+        for (int axis = 0; axis < 3; ++axis) at[axis] = level.cellAt(level.coordinate(middle[axis], axis), axis);
+        const Bounds cell = level.boundsOf(at);
+        std::vector<std::uint32_t> inside;
+        Bounds filled;
+        for (const std::uint32_t other : items) {
+            const Bounds part = bounds_[other].intersection(cell);
+            if (part.isEmpty()) continue;
+            inside.push_back(other);
+            filled.include(part);
+        }
+        const double all = costOfTest * static_cast<double>(inside.size());
+        return inside.size() <= mostInCell ? all : std::min(all, bestResolution(inside, filled, depth + 1).cost);
     }
 
     // How often items would be listed, in all.
