@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace core {
 
@@ -36,6 +37,9 @@ inline constexpr Range unitInterval{.least = 0, .most = 1};
 // One of a few words; it points at the row's own text.
 using Word = std::string_view;
 
+// Some of a few words, each at most once.
+using WordList = std::vector<Word>;
+
 // Four weights that sum to 1.
 using Weights = std::array<float, 4>;
 
@@ -43,7 +47,7 @@ using Weights = std::array<float, 4>;
 template<class Owner>
 using OptionMember =
     std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*, Vec2f Owner::*,
-                 std::optional<int> Owner::*, std::optional<Weights> Owner::*, Word Owner::*>;
+                 std::optional<int> Owner::*, std::optional<Weights> Owner::*, Word Owner::*, WordList Owner::*>;
 
 template<class Owner>
 struct OptionRow {
@@ -51,7 +55,7 @@ struct OptionRow {
     std::string_view alias = {};  // another spelling that is accepted, or empty
     OptionMember<Owner> member = {};
     Range range = {};
-    std::span<const Word> words = {};  // what an option of type Word may be
+    std::span<const Word> words = {};  // what an option of type Word may be, or what a WordList may hold
     std::string_view form = {};  // how a list is written, e.g. {nu nv}; empty for a colour
     std::string_view unit = {};  // empty where there is none
     std::string_view defaultText = {};  // where the default is worked out; empty: as in Owner{}
@@ -81,6 +85,11 @@ inline std::string optionText(double value) {
 inline std::string optionText(Word value) {
     return std::string(value);
 }
+inline std::string optionText(const WordList& words) {
+    std::string text;
+    for (const Word word : words) text += (text.empty() ? "" : " ") + std::string(word);
+    return text;
+}
 inline std::string optionText(const Rgbf& c) {
     return numberText(c.x) + " " + numberText(c.y) + " " + numberText(c.z);
 }
@@ -107,8 +116,9 @@ template<class Owner>
 std::string defaultText(const OptionRow<Owner>& row) {
     if (!row.defaultText.empty()) return std::string(row.defaultText);
     const std::string text = optionText(row, Owner{});
-    const bool isList =
-        std::holds_alternative<Rgbf Owner::*>(row.member) || std::holds_alternative<Vec2f Owner::*>(row.member);
+    const bool isList = std::holds_alternative<Rgbf Owner::*>(row.member) ||
+                        std::holds_alternative<Vec2f Owner::*>(row.member) ||
+                        std::holds_alternative<WordList Owner::*>(row.member);
     return isList ? "{" + text + "}" : text;
 }
 
@@ -130,6 +140,9 @@ std::string typeText(const OptionRow<Owner>& row) {
             std::string text;
             for (const Word word : words) text += (text.empty() ? "" : "|") + std::string(word);
             return text;
+        }
+        std::string operator()(WordList Owner::*) const {
+            return "list of " + (*this)(static_cast<Word Owner::*>(nullptr));
         }
     };
     return std::visit(Name{row.words, row.form}, row.member);

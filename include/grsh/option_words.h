@@ -73,14 +73,28 @@ inline void readOption(std::optional<core::Weights>& value, Tcl_Obj* word, std::
     value.emplace();
     for (std::size_t i = 0; i < value->size(); ++i) (*value)[i] = static_cast<float>(numbers[i] / largest / sum);
 }
-inline void readOption(core::Word& value, Tcl_Obj* word, std::string_view what, const core::Range&,
-                       std::span<const core::Word> words) {
+// what: what a message says must be one of the words.
+inline core::Word wordFrom(Tcl_Obj* word, std::string_view what, std::span<const core::Word> words) {
     const auto found = std::find(words.begin(), words.end(), textOf(word));
     if (found == words.end())
         throw core::Error("VALUE", "WORD", std::string(textOf(word)),
                           std::string(what) + " must be " + core::listed(words) + ", not " + quoted(textOf(word)) +
                               core::didYouMean(textOf(word), words));
-    value = *found;
+    return *found;
+}
+inline void readOption(core::Word& value, Tcl_Obj* word, std::string_view what, const core::Range&,
+                       std::span<const core::Word> words) {
+    value = wordFrom(word, what, words);
+}
+inline void readOption(core::WordList& value, Tcl_Obj* word, std::string_view what, const core::Range&,
+                       std::span<const core::Word> words) {
+    value.clear();
+    for (Tcl_Obj* element : elementsOf(word, what, "a list of " + core::listed(words))) {
+        const core::Word one = wordFrom(element, "each of " + std::string(what), words);
+        if (std::find(value.begin(), value.end(), one) != value.end())
+            throw core::Error("VALUE", "TWICE", std::string(one), std::string(what) + " has " + quoted(one) + " twice");
+        value.push_back(one);
+    }
 }
 
 // Reads the pairs of option and value from word `first` on into owner. noOption: what a message says before the name of

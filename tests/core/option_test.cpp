@@ -100,6 +100,7 @@ struct Owner {
     Vec2f pair{100, 0.1f};
     std::optional<Weights> weights;
     Word word = colours[1];
+    WordList some;
 };
 
 using Row = OptionRow<Owner>;
@@ -114,6 +115,7 @@ const Row pairRow{.name = "pair", .member = &Owner::pair, .form = "{nu nv}"};
 const Row weightsRow{.name = "weights", .member = &Owner::weights, .form = "{a b c d}", .defaultText = "{1 0 0 0}"};
 const Row absorptionRow{.name = "absorption", .member = &Owner::colour, .form = "{ar ag ab}"};
 const Row wordRow{.name = "word", .member = &Owner::word, .words = colours};
+const Row someRow{.name = "some", .member = &Owner::some, .words = colours};
 
 TEST(OptionText, WritesTheValueOfARow) {
     Owner owner;
@@ -126,6 +128,7 @@ TEST(OptionText, WritesTheValueOfARow) {
     EXPECT_EQ(optionText(pairRow, owner), "100 0.1");
     EXPECT_EQ(optionText(weightsRow, owner), "");
     EXPECT_EQ(optionText(wordRow, owner), "green");
+    EXPECT_EQ(optionText(someRow, owner), "");
     owner.flag = false;
     owner.line = 12;
     owner.weights = Weights{0.25f, 0, 1 / 3.f, 1e-6f};
@@ -134,6 +137,8 @@ TEST(OptionText, WritesTheValueOfARow) {
     EXPECT_EQ(optionText(lineRow, owner), "12");
     EXPECT_EQ(optionText(weightsRow, owner), "0.25 0 0.33333334 1e-06");
     EXPECT_EQ(optionText(wordRow, owner), "blue");
+    owner.some = {colours[2], colours[0]};
+    EXPECT_EQ(optionText(someRow, owner), "blue red");
 }
 
 TEST(DefaultText, IsTheDefaultOfTheOwnerUnlessTheRowHasWordsForIt) {
@@ -147,6 +152,7 @@ TEST(DefaultText, IsTheDefaultOfTheOwnerUnlessTheRowHasWordsForIt) {
     EXPECT_EQ(defaultText(weightsRow), "{1 0 0 0}");
     EXPECT_EQ(defaultText(absorptionRow), "{0.5 0.1 1}");
     EXPECT_EQ(defaultText(wordRow), "green");
+    EXPECT_EQ(defaultText(someRow), "{}");
 }
 
 TEST(TypeText, SaysWhatAnOptionTakes) {
@@ -160,6 +166,7 @@ TEST(TypeText, SaysWhatAnOptionTakes) {
     EXPECT_EQ(typeText(weightsRow), "{a b c d}");
     EXPECT_EQ(typeText(absorptionRow), "{ar ag ab}");
     EXPECT_EQ(typeText(wordRow), "red|green|blue");
+    EXPECT_EQ(typeText(someRow), "list of red|green|blue");
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ struct IsWithin {
         return !weights || std::all_of(weights->begin(), weights->end(), [&](float w) { return range.contains(w); });
     }
     bool operator()(core::Word) const { return true; }
+    bool operator()(const core::WordList&) const { return true; }
 };
 
 TYPED_TEST(MaterialOptions, HaveNamesHelpAndDefaultsWithinTheirRange) {
