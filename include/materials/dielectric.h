@@ -111,6 +111,8 @@ struct Dielectric {
             core::select(reflects, reflected, refracted), core::Rgb<Real>(part), zero, valid, valid, isLit, isDiffuse};
     }
 
+    // What the albedo layer of a picture shows: all light goes on, mirrored or refracted.
+    core::Rgbf albedo() const { return core::Rgbf(1); }
     core::Rgbf ambientReflectance() const { return core::Rgbf(0); }
 
 private:

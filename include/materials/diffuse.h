@@ -46,6 +46,8 @@ struct Diffuse {
         return methods<Real>().sample(wo, u, [&](const core::Vec3<Real>& wi) { return eval(wo, wi); });
     }
 
+    // What the albedo layer of a picture shows.
+    core::Rgbf albedo() const { return reflectance; }
     // What `ambient` is multiplied with.
     core::Rgbf ambientReflectance() const { return reflectance; }
 

@@ -122,6 +122,8 @@ struct Shirley {
         return methods(wo).sample(wo, u, [&](const core::Vec3<Real>& wi) { return eval(wo, wi); });
     }
 
+    // What the albedo layer of a picture shows: about what it reflects, seen along the normal.
+    core::Rgbf albedo() const { return specular + diffuse * (1.f - specular); }
     // What `ambient` is multiplied with.
     core::Rgbf ambientReflectance() const { return diffuse; }
 

@@ -39,8 +39,15 @@ public:
         return {lanes(eye_) + onLens, glm::normalize(inFocus - onLens)};
     }
 
+    // How far along the view a point of a ray lies, which is at that distance, in lengths of the direction.
+    template<class Real>
+    Real depth(const core::Ray<Real>& ray, const Real& distance) const {
+        return distance * glm::dot(ray.direction, core::broadcast<Real>(forward_));
+    }
+
 private:
     core::Vec3f eye_;
+    core::Vec3f forward_;  // along the view, of unit length
     core::Vec3f corner_;  // from the eye to the picture's upper left corner, at distance 1 along the view
     core::Vec3f right_, down_;  // one pixel on
     core::Vec3f lensX_{0}, lensY_{0};  // the lens' radii, to the right and down

@@ -16,15 +16,16 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 // The sRGB curve (IEC 61966-2-1), rounded to 8 bits. radiance: linear; below 0 is 0, above 1 is 255.
 std::uint8_t toSrgb8(float radiance);
 
-// A picture that is going to be written. Throws core::Error at once when that cannot work: another ending than .png,
-// a folder that is not there or not writable, a name that is something other than a file.
+// A picture that is going to be written, in the format that the path's ending names. Throws core::Error at once when
+// that cannot work: an ending of no format, or of one that holds no layers, a folder that is not there or not writable,
+// a name that is something other than a file.
 class ImageFile {
 public:
-    explicit ImageFile(const std::string& path);
+    // layers: what the film will have.
+    explicit ImageFile(const std::string& path, std::span<const Layer> layers = {});
 
-    // Writes clamp(radiance * 2^exposure) through the sRGB curve. A film that is a strip of its picture records its
-    // place as the PNG's offset. The file is written beside its place and then renamed. Throws core::Error when the
-    // disk is full or the like; nothing is left behind then.
+    // exposure: in stops; formats of linear radiance have no use for it. The file is written beside its place and then
+    // renamed. Throws core::Error when the disk is full or the like; nothing is left behind then.
     void write(const Film& film, double exposure, const Metadata& metadata) const;
 
 private:

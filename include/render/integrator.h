@@ -28,12 +28,26 @@ struct RayCounts {
     }
 };
 
+// What a camera ray met first, for the picture's layers.
+struct FirstSurface {
+    float distance = core::infinity;  // along the ray; infinite where it met nothing
+    core::Rgbf albedo{0};  // 0 for a light
+    core::Vec3f normal{0};  // the shading normal, in the world, facing the eye
+
+    bool isMet() const { return distance < core::infinity; }
+};
+
 class Integrator {
 public:
     virtual ~Integrator() = default;
 
-    // One sample of the radiance that arrives at the ray's origin, against its direction.
-    virtual core::Rgbf radiance(const core::Rayf& cameraRay, Sampler& sampler, RayCounts& rays) const = 0;
+    // One sample of the radiance that arrives at the ray's origin, against its direction. first: where the ray meets
+    // something it is told here, unless null.
+    virtual core::Rgbf radiance(const core::Rayf& cameraRay, Sampler& sampler, RayCounts& rays,
+                                FirstSurface* first) const = 0;
+    core::Rgbf radiance(const core::Rayf& cameraRay, Sampler& sampler, RayCounts& rays) const {
+        return radiance(cameraRay, sampler, rays, nullptr);
+    }
 };
 
 // The report's own (section 5.2): plain, scalar, the oracle. Scene and accelerator must outlive it.

@@ -21,6 +21,7 @@ struct RenderSettings {
     std::uint64_t seed = 0;
     core::Rgbf background{0};
     double exposure = 0;
+    core::WordList layers;
     int threads = 0;  // 0: all cores
     bool progress = true;
 

@@ -69,7 +69,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights);
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
-    const render::ImageFile file(job.file);
+    const render::ImageFile file(job.file, job.layers());
 
     // Render.
     const auto buildStart = std::chrono::steady_clock::now();
@@ -78,7 +78,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const double buildSeconds = secondsSince(buildStart);
     const auto integrator =
         render::makeReportIntegrator(scene, *accelerator, job.settings, job.ambient, core::Vec3f(job.eye));
-    render::Film film(job.width, job.height, job.startLine(), job.lines());
+    render::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
     const auto renderStart = std::chrono::steady_clock::now();
     const render::RenderResult result = renderFilm(job, *integrator, film);
     const double renderSeconds = secondsSince(renderStart);

@@ -70,7 +70,7 @@ void checkLines(const RenderJob& job) {
 }
 
 void checkMemory(const RenderJob& job) {
-    const double needed = render::Film::bytesFor(job.width, job.lines());
+    const double needed = render::Film::bytesFor(job.width, job.lines(), job.layers());
     const double available = static_cast<double>(core::availableMemory());
     if (needed > available)
         throw core::Error("MEMORY", "PICTURE", job.file,

@@ -10,6 +10,7 @@ Camera::Camera(const glm::dvec3& eye, const glm::dvec3& view, const glm::dvec3& 
     const glm::dvec3 forward = glm::normalize(view);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::normalize(up)));
     const glm::dvec3 upward = glm::cross(right, forward);
+    forward_ = forward;
     const double halfHeight = std::tan(glm::radians(fieldOfView) / 2);
     const double pixel = 2 * halfHeight / height;
     right_ = right * pixel;

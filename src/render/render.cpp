@@ -1,6 +1,7 @@
 #include "render/render.h"
 
 #include "core/parallel.h"
+#include "render/pixel_layers.h"
 
 #include <mutex>
 
@@ -46,31 +47,36 @@ public:
         const int right = std::min(left + tileSize, film.width());
         const int bottom = std::min(top + tileSize, film.startLine() + film.lines());
         for (int y = top; y < bottom; ++y)
-            for (int x = left; x < right; ++x) film.at(x, y) = renderPixel(x, y, tally);
+            for (int x = left; x < right; ++x) renderPixel(film, x, y, tally);
     }
 
 private:
     // The mean of the samples that are finite; in double, or a million of them would drown the last.
-    core::Rgbf renderPixel(int x, int y, Tally& tally) const {
+    void renderPixel(Film& film, int x, int y, Tally& tally) const {
         glm::dvec3 sum(0);
         int kept = 0;
+        PixelLayers layers;
         for (int sample = 0; sample < settings_.samplesPerPixel; ++sample) {
-            if (stop_.load(std::memory_order_relaxed)) return core::Rgbf(0);
+            if (stop_.load(std::memory_order_relaxed)) return;
             Sampler sampler(settings_.seed, x, y, sample);
             const core::Vec2f u = sampler.next2D();
             const core::Vec2f inPixel = settings_.antialiasing ? grid_.place(sample, u) : core::Vec2f(0.5f);
             const core::Vec2f place(static_cast<float>(x) + inPixel.x, static_cast<float>(y) + inPixel.y);
             const core::Rayf ray = camera_.hasLens() ? camera_.ray(place, sampler.next2D()) : camera_.ray(place);
-            const core::Rgbf radiance = integrator_.radiance(ray, sampler, tally.rays);
+            FirstSurface first;
+            const core::Rgbf radiance =
+                integrator_.radiance(ray, sampler, tally.rays, film.hasLayers() ? &first : nullptr);
             if (core::isFinite(radiance)) {
                 sum += glm::dvec3(radiance);
                 ++kept;
+                if (film.hasLayers()) layers.add(radiance, first, camera_.depth(ray, first.distance));
             } else {
                 ++tally.dropped;
             }
             tally.countSample();
         }
-        return kept == 0 ? core::Rgbf(0) : core::Rgbf(sum / static_cast<double>(kept));
+        film.at(x, y) = kept == 0 ? core::Rgbf(0) : core::Rgbf(sum / static_cast<double>(kept));
+        if (film.hasLayers()) layers.store(film, x, y);
     }
 
     const Integrator& integrator_;

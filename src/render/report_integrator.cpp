@@ -59,6 +59,11 @@ struct ShadingPoint {
     }
     // The ray that goes on in direction wi of the frame.
     Rayf rayTowards(const Vec3f& wi) const { return {surface.offset(wi.z < 0 ? -normal : normal), frame.toWorld(wi)}; }
+    // A light reflects nothing.
+    Rgbf albedo() const {
+        if (surface.light != nullptr) return Rgbf(0);
+        return std::visit([](const auto& bsdf) { return bsdf.albedo(); }, *surface.material);
+    }
     Rgbf ambientReflectance() const {
         return std::visit([](const auto& bsdf) { return bsdf.ambientReflectance(); }, *surface.material);
     }
@@ -84,7 +89,7 @@ public:
         if (hasDielectrics_) eyeMedia_ = mediaAt(eye, scene, accelerator);
     }
 
-    Rgbf radiance(const Rayf& cameraRay, Sampler& sampler, RayCounts& rays) const override {
+    Rgbf radiance(const Rayf& cameraRay, Sampler& sampler, RayCounts& rays, FirstSurface* first) const override {
         Rgbf radiance(0);
         Rgbf throughput(1);  // what is left of light that comes along `ray`, when it arrives at the eye
         Rayf ray = cameraRay;
@@ -96,6 +101,7 @@ public:
             const std::optional<gr::Hit> hit = accelerator_.intersect(ray, rays.traversal);
             if (!hit) return radiance + throughput * media.transmittance(core::infinity) * background_;
             const ShadingPoint point(scene_, ray, *hit);
+            if (surfacePoints == 1 && first != nullptr) *first = {hit->t, point.albedo(), point.frame.z};
 
             // On the way there a medium absorbs.
             if (point.dielectric != nullptr && !point.fromOutside) media.meetFromInside(*point.dielectric);

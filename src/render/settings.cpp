@@ -1,6 +1,7 @@
 #include "render/settings.h"
 
 #include "gr/accelerator.h"
+#include "render/layer.h"
 
 #include <array>
 
@@ -13,7 +14,7 @@ constexpr core::Range line{.least = 0, .most = 999999};
 
 using S = RenderSettings;
 
-const std::array<core::OptionRow<S>, 17> rows{{
+const std::array<core::OptionRow<S>, 18> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
      .words = gr::acceleratorNames(),
@@ -77,7 +78,12 @@ const std::array<core::OptionRow<S>, 17> rows{{
      .member = &S::exposure,
      .range = {.least = -64, .most = 64},
      .unit = "stops",
-     .help = "each stop doubles what the picture file shows"},
+     .help = "each stop doubles what a .png shows; .exr and .pfm keep the radiance as it is"},
+    {.name = "layers",
+     .member = &S::layers,
+     .words = layerNames(),
+     .help = "what an .exr file holds of each pixel beside its radiance",
+     .inPicture = false},
     {.name = "threads",
      .member = &S::threads,
      .range = {.least = 0, .most = 1024},

@@ -44,6 +44,7 @@ TEST(Diffuse, HasItsReflectanceAsAlbedo) {
         for (int channel = 0; channel < 3; ++channel) {
             const auto value = [&](const Rgbf& c) { return c[channel]; };
             EXPECT_NEAR(albedo(orange, wo, value), orange.reflectance[channel], 2e-6);
+            EXPECT_EQ(orange.albedo()[channel], orange.reflectance[channel]);
         }
 }
 

@@ -28,6 +28,17 @@ TEST(MaterialList, BeginsWithTheDefault) {
     EXPECT_EQ(std::get<Diffuse>(Material{}).reflectance, core::Rgbf(0.5f));
 }
 
+// So that a denoiser can divide by it.
+TEST(MaterialList, HasAlbedosFromBlackToWhite) {
+    forEachMaterialType([]<class M>() {
+        for (const M& material : parameterSets<M>())
+            for (int channel = 0; channel < 3; ++channel) {
+                EXPECT_GE(material.albedo()[channel], 0) << M::typeName;
+                EXPECT_LE(material.albedo()[channel], 1) << M::typeName;
+            }
+    });
+}
+
 template<class M>
 class MaterialOptions : public testing::Test {};
 TYPED_TEST_SUITE(MaterialOptions, EveryMaterial, MaterialName);

@@ -32,6 +32,21 @@ TEST(Shirley, HasThePapersAlbedo) {
             EXPECT_NEAR(albedo(material, wo, mean), paperAlbedo(material, wo), 5e-5) << "wo " << text(wo);
 }
 
+// Along the normal the base fades by 1/32, and a highlight as narrow as this by next to nothing.
+TEST(Shirley, HasTheAlbedoThatItReflectsAlongTheNormal) {
+    const Rgbf colours[] = {{0.9f, 0.4f, 0.1f}, {0.2f, 0.6f, 0}, {0, 0, 0}, {1, 1, 1}};
+    for (const Rgbf& base : colours) {
+        for (const Rgbf& highlight : colours) {
+            const Shirley material{.diffuse = base, .specular = highlight, .exponents = {10'000, 10'000}};
+            for (int channel = 0; channel < 3; ++channel) {
+                const auto value = [&](const Rgbf& c) { return c[channel]; };
+                const double faded = base[channel] * (1 - highlight[channel]) / 32;
+                EXPECT_NEAR(albedo(material, {0, 0, 1}, value) + faded, material.albedo()[channel], 5e-4);
+            }
+        }
+    }
+}
+
 // All mixtures in which some method goes everywhere.
 TEST(Shirley, HasOneMeanWeightWhateverTheMixture) {
     const std::optional<core::Weights> mixtures[] = {std::nullopt,

@@ -43,9 +43,9 @@ Film noise(int width, int height) {
 
 TEST(ImageFileRefusal, OfAnotherEnding) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.jpg", "a", "a.png.gz", "png", ".png", "a.png ", ""})
-        EXPECT_THAT(refusal(folder / name), HasSubstr("must be .png")) << name;
-    EXPECT_THAT(refusal(""), HasSubstr("must be .png"));
+    for (const char* name : {"a.jpg", "a", "a.png.gz", "png", ".png", "a.png ", "a.exr.gz", "exr", "a.pfm2", ""})
+        EXPECT_THAT(refusal(folder / name), HasSubstr("must be .png, .exr or .pfm")) << name;
+    EXPECT_THAT(refusal(""), HasSubstr("must be .png, .exr or .pfm"));
     EXPECT_THAT(folder.names(), IsEmpty());
 }
 

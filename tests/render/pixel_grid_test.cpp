@@ -63,7 +63,7 @@ class Edge : public Integrator {
 public:
     Edge(double slope, double offset) : slope_(slope), offset_(offset) {}
 
-    core::Rgbf radiance(const core::Rayf& ray, Sampler&, RayCounts&) const override {
+    core::Rgbf radiance(const core::Rayf& ray, Sampler&, RayCounts&, FirstSurface*) const override {
         // The camera below looks along -z at a picture of 2 x 2, the middle at (0, 0) and 1 away.
         const core::Vec2f place(1 - ray.direction.x / ray.direction.z, 1 + ray.direction.y / ray.direction.z);
         const std::lock_guard lock(mutex_);

@@ -1,5 +1,8 @@
 // Pictures that separate runs of grsh make: the same to the byte, and they say what made them.
+#include "render/exr_reader.h"
 #include "render/grsh_process.h"
+#include "render/image_file.h"
+#include "render/pfm_reader.h"
 #include "render/png_reader.h"
 #include "render/settings.h"
 #include "render/temporary_folder.h"
@@ -79,6 +82,87 @@ TEST_F(Program, MakesTheSameFileTwice) {
         EXPECT_TRUE(bytesOf(folder / name) == bytes) << name;
     run({"other-seed.png", "seed", "1"});
     EXPECT_NE(Png(folder / "other-seed.png").lines, Png(folder / "first.png").lines);
+}
+
+TEST_F(Program, MakesExrStripsThatAreTheWhole) {
+    const std::vector<std::string> layers{"layers", "samples normal depth albedo variance"};
+    const auto runStrip = [&](const std::string& name, std::vector<std::string> words) {
+        words.insert(words.begin(), {name, layers[0], layers[1]});
+        run(words);
+        return Exr(folder / name);
+    };
+    const Exr whole = runStrip("whole.exr", {});
+    const Exr top = runStrip("top.exr", {"stopline", "6"});
+    const Exr rest = runStrip("rest.exr", {"startline", "7"});
+    const Imath::Box2i picture({0, 0}, {29, 19});
+    EXPECT_EQ(whole.dataWindow, picture);
+    EXPECT_EQ(top.dataWindow, Imath::Box2i({0, 0}, {29, 6}));
+    EXPECT_EQ(rest.dataWindow, Imath::Box2i({0, 7}, {29, 19}));
+    EXPECT_EQ(whole.channels.size(), 14u);
+    for (const Exr* exr : {&whole, &top, &rest}) EXPECT_EQ(exr->displayWindow, picture);
+    for (const auto& [name, numbers] : whole.channels) {
+        std::vector<float> strips = top.channels.at(name);
+        strips.insert(strips.end(), rest.channels.at(name).begin(), rest.channels.at(name).end());
+        EXPECT_EQ(strips, numbers) << name;
+    }
+}
+
+TEST_F(Program, MakesTheSameLinearFileTwice) {
+    for (const std::string ending : {".exr", ".pfm"}) {
+        std::vector<std::string> layers;
+        if (ending == ".exr") layers = {"layers", "albedo normal depth variance samples"};
+        for (const char* threads : {"1", "5", "0"}) {
+            std::vector<std::string> words{threads + ending, "threads", threads};
+            words.insert(words.end(), layers.begin(), layers.end());
+            run(words);
+        }
+        const std::string bytes = bytesOf(folder / ("1" + ending));
+        EXPECT_FALSE(bytes.empty());
+        for (const char* name : {"5", "0"}) EXPECT_TRUE(bytesOf(folder / (name + ending)) == bytes) << name << ending;
+    }
+}
+
+TEST_F(Program, HasTheSamePictureInEveryFormat) {
+    const std::vector<std::string> options{"samplesperpixel", "3", "startline", "2"};
+    for (const std::string name : {"a.png", "a.exr", "a.pfm"})
+        run({name, options[0], options[1], options[2], options[3]});
+    run({"layers.exr", options[0], options[1], options[2], options[3], "layers", "variance depth"});
+    const Png png(folder / "a.png");
+    const Exr exr(folder / "a.exr"), layers(folder / "layers.exr");
+    const Pfm pfm(folder / "a.pfm");
+    const char* channels[] = {"R", "G", "B"};
+    for (int y = 0; y < 18; ++y) {
+        for (int x = 0; x < 30; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                const float radiance = exr.at(channels[c], x, y + 2);
+                ASSERT_EQ(png.lines[static_cast<std::size_t>(y)][static_cast<std::size_t>(3 * x + c)],
+                          toSrgb8(radiance));
+                ASSERT_EQ(pfm.at(x, y)[c], radiance);
+                ASSERT_EQ(layers.at(channels[c], x, y + 2), radiance);
+            }
+        }
+    }
+    EXPECT_EQ(png.lines.size(), 18u);
+}
+
+TEST_F(Program, SaysInAnExrWhatItSaysInAPng) {
+    const std::vector<std::string> options{"seed", "12", "exposure", "-0.5", "samplesperpixel", "2", "stopline", "3"};
+    for (const std::string name : {"a.png", "a.exr"}) {
+        std::vector<std::string> words = options;
+        words.insert(words.begin(), name);
+        run(words);
+    }
+    std::map<std::string, std::string> texts = Png(folder / "a.png").texts;
+    EXPECT_THAT(texts, Contains(Pair("grsh:seed", "12")));
+    texts["type"] = "scanlineimage";
+    const Exr exr(folder / "a.exr");
+    EXPECT_EQ(exr.texts, texts);
+    // Beside them only what the format asks for: no date.
+    std::vector<std::string> names{"channels",         "chromaticities",     "compression",
+                                   "dataWindow",       "displayWindow",      "lineOrder",
+                                   "pixelAspectRatio", "screenWindowCenter", "screenWindowWidth"};
+    for (const auto& [name, text] : texts) names.push_back(name);
+    EXPECT_THAT(exr.attributes, testing::UnorderedElementsAreArray(names));
 }
 
 TEST_F(Program, LooksThroughALensOnlyWhereItIsAskedTo) {

@@ -27,7 +27,7 @@ struct Picture {
 // One channel of every seventh sample is not finite. It keeps what it gave, by direction.
 class Faulty : public Integrator {
 public:
-    core::Rgbf radiance(const core::Rayf& ray, Sampler& sampler, RayCounts&) const override {
+    core::Rgbf radiance(const core::Rayf& ray, Sampler& sampler, RayCounts&, FirstSurface*) const override {
         const float u = sampler.next1D();
         core::Rgbf radiance(u, 2 * u, 0.1f);
         const float faults[] = {std::nanf(""), core::infinity, -core::infinity};
@@ -75,7 +75,9 @@ TEST(NonFiniteSamples, AreDroppedAndCounted) {
 }
 
 class AlwaysNan : public Integrator {
-    core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&) const override { return core::Rgbf(std::nanf("")); }
+    core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&, FirstSurface*) const override {
+        return core::Rgbf(std::nanf(""));
+    }
 };
 
 TEST(NonFiniteSamples, LeaveBlackWhereThereAreNoOthers) {
@@ -87,7 +89,9 @@ TEST(NonFiniteSamples, LeaveBlackWhereThereAreNoOthers) {
 
 // A sum in single precision would be off by the 10,000th sample.
 class Bright : public Integrator {
-    core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&) const override { return core::Rgbf(0.1f, 1e30f, 0); }
+    core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&, FirstSurface*) const override {
+        return core::Rgbf(0.1f, 1e30f, 0);
+    }
 };
 
 TEST(Mean, IsExactForManySamples) {
@@ -100,7 +104,7 @@ TEST(Mean, IsExactForManySamples) {
 // Asks for a stop at its 500th sample, and counts those that begin after that.
 class Stopping : public Integrator {
 public:
-    core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&) const override {
+    core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&, FirstSurface*) const override {
         if (stop) ++late;
         if (++samples == 500) stop = true;
         return core::Rgbf(1);

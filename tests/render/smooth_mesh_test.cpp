@@ -64,6 +64,25 @@ TEST(SmoothMesh, TheNormalIsTheSpheresAndOnTheRaysSide) {
     EXPECT_GT(bent, 5);
 }
 
+TEST(SmoothMesh, HasItsShadingNormalInThePicturesLayer) {
+    Ball ball(materials::Diffuse{}, 1);
+    const Radiometer radiometer(ball);
+    int met = 0;
+    for (int i = 0; i < 300; ++i) {
+        const core::Rayf ray = rayOf(i);
+        const auto surface = ball.meet(ray);
+        if (!surface) continue;
+        ++met;
+        Sampler sampler(0, 0, 0, i);
+        RayCounts rays;
+        FirstSurface first;
+        radiometer.integrator().radiance(ray, sampler, rays, &first);
+        EXPECT_EQ(first.normal, surface->shadingNormal());
+        EXPECT_NE(first.normal, surface->normal);
+    }
+    EXPECT_GT(met, 100);
+}
+
 // R_d I cos to the shading normal, and nothing where the light is behind the surface or behind the normal.
 TEST(SmoothMesh, NoLightBehindTheTerminator) {
     const core::Vec3f lamp(300, 100, -200);
