@@ -61,6 +61,8 @@ TEST(SurfaceLayers, AreThoseOfASphere) {
 TEST(SurfaceLayers, HaveNormalsThatFaceTheEye) {
     TestScene scene;
     scene.add("room", gr::SphereNode{eye + glm::dvec3(0.5, 0, 0), 3}, Rgbf(0.5f));
+    scene.settings.globalIllumination = true;  // what comes after the first surface is not told
+    scene.settings.pathLength = 3;
     const Film film = picture(scene);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
