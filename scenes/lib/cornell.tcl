@@ -7,12 +7,10 @@
 # What these procs make hangs below the node that they are given. They all return the path of what they made.
 
 namespace eval cornell {
-    gr_material white diffuse diffuse {0.75 0.73 0.70}
-    gr_material red   diffuse diffuse {0.63 0.06 0.05}
-    gr_material green diffuse diffuse {0.14 0.45 0.10}
-
-    # The empty room with its lamp.
-    proc room {parent} {
+    # The empty room with its lamp: the colours of its walls, the lamp's radiance, and the height at which it hangs.
+    proc room {parent {white {0.75 0.73 0.70}} {red {0.63 0.06 0.05}} {green {0.14 0.45 0.10}} {light {18 14.5 10}}
+            {height 554.9}} {
+        foreach colour {white red green} {gr_material $colour diffuse diffuse [set $colour]}
         set room [gr_transform $parent room]
         gr_surfaceproperty $room white
 
@@ -28,8 +26,8 @@ namespace eval cornell {
 
         # gr_als_planar makes a square lamp that shines down. Scaled along x it becomes 130 wide and stays 105 deep. It
         # hangs a hair below the ceiling: in the same plane, the two could not be told apart.
-        set lamp [gr_als_planar $room lamp {18 14.5 10} {0 0 0} 105]
-        gr_translate $lamp {278 554.9 279.5}
+        set lamp [gr_als_planar $room lamp $light {0 0 0} 105]
+        gr_translate $lamp [list 278 $height 279.5]
         gr_scale $lamp [list [expr {130 / 105.}] 1 1]
         return $room
     }
