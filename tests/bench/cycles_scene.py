@@ -173,7 +173,7 @@ class CyclesScene:
 
     def shirley(self, diffuse, specular, exp):
         if any(numbers(diffuse)) or exp[0] != exp[1]:
-            raise SystemExit("tools/compare_cycles: cycles_scene.py knows shirley only without a base and with two exponents alike")
+            raise SystemExit("tools/compare_cycles: cycles_scene.py knows shirley only as metal with one exponent")
         # Cycles' exponent is 2/a^2 - 2, where a is the roughness squared.
         roughness = (2 / (float(exp[0]) + 2)) ** 0.25
         material, metal = shader("ShaderNodeBsdfGlossy", Color=numbers(specular) + [1], Roughness=roughness)
