@@ -55,6 +55,8 @@ public:
 std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene);
 // The report's two-level uniform grid. threads: to build it with; 0: all cores.
 std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, int threads);
+// The same where it is at its best: where nearly each object has a cell for itself, as in a lattice. Else null.
+std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, int threads);
 // Embree's tree of boxes. Throws core::Error where Embree cannot be loaded.
 std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads);
 bool isEmbreeInstalled();

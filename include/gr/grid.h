@@ -27,6 +27,10 @@ public:
 
     std::array<int, 3> resolution() const { return levels_.empty() ? std::array<int, 3>{} : levels_[0].count; }
     std::size_t levelCount() const { return levels_.size(); }
+    // Whether nearly each of the items has a cell for itself.
+    bool isEven(std::size_t items) const {
+        return levelCount() == 1 && 4 * items_.size() <= 5 * items && 5 * cells_.size() >= 4 * items;
+    }
     std::size_t bytes() const;
 
 private:

@@ -63,6 +63,7 @@ public:
     SurfacePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
     // From a point off a surface to a place on an area light, a hair before it: t from 0 to 1.
     core::Rayf shadowRay(const core::Vec3f& start, const AreaLight& light, const core::Vec3f& target) const;
+    std::size_t objectCount() const;  // shapes, and the triangles of meshes
     std::size_t bytes() const;
 };
 

@@ -13,6 +13,8 @@ public:
               return std::make_unique<Grid>(bounds, errorPerUnit, threads);
           }) {}
 
+    bool isEven(const Scene& scene) const { return meshes().empty() && objects().isEven(scene.instances.size()); }
+
     std::size_t bytes() const override {
         std::size_t bytes = objects().bytes();
         for (const auto& [polyhedron, grid] : meshes()) bytes += grid->bytes();
@@ -35,11 +37,15 @@ public:
 
 std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, int threads) {
     // What would be one cell is tested four objects at once.
-    std::size_t objects = scene.instances.size();
-    for (const auto& polyhedron : scene.polyhedra) objects += polyhedron->triangleCount();
     constexpr std::size_t few = 32;
-    if (objects <= few) return makeNoAccelerator(scene);
+    if (scene.objectCount() <= few) return makeNoAccelerator(scene);
     return std::make_unique<GridAccelerator>(scene, threads);
+}
+
+std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, int threads) {
+    if (!scene.polyhedra.empty()) return nullptr;
+    auto grid = std::make_unique<GridAccelerator>(scene, threads);
+    return grid->isEven(scene) ? std::move(grid) : nullptr;
 }
 
 }  // namespace gr

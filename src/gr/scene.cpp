@@ -81,6 +81,12 @@ core::Rayf Scene::shadowRay(const core::Vec3f& start, const AreaLight& light, co
     return {start, end - start, 1.f};
 }
 
+std::size_t Scene::objectCount() const {
+    std::size_t count = instances.size();
+    for (const auto& polyhedron : polyhedra) count += polyhedron->triangleCount();
+    return count;
+}
+
 std::size_t Scene::bytes() const {
     std::size_t bytes = instances.capacity() * sizeof(Instance) +
                         placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) +

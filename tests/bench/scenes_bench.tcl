@@ -21,6 +21,8 @@ proc gr_render {node file width height eye view up fov args} {
     foreach accelerator $::accelerators {set best($accelerator) Inf}
     for {set round 0} {$round < $::rounds} {incr round} {
         foreach accelerator $::accelerators {
+            # One run is enough to see what is hopeless.
+            if {$round > 0 && $best($accelerator) > 1} continue
             dict set options accelerator $accelerator
             set result [renderWhole $node $picture {*}$size $eye $view $up $fov {*}$tail {*}$options]
             set seconds [dict get $result rendering]
