@@ -54,7 +54,8 @@ private:
     struct Course {
         int axis, u, v;
         bool isForward;
-        float low, high;  // from where to where along the axis
+        float low, high;  // from where to where along the axis,
+        float axisSlack;  // which may be off by so much
         // The least u and v and the greatest that the ray may be at: start + slope * place, and at which end of a part
         // of the ray that is.
         PackLanes start, slope, last;
@@ -72,10 +73,11 @@ private:
             const core::Vec3f slack = (walk.errorAt(end) + level.rounding) * level.inverseCell;
             const core::Vec3f from = (walk.ray_.origin + walk.ray_.direction * begin - level.low) * level.inverseCell;
             const float to = level.coordinate(walk.ray_.origin[axis] + walk.ray_.direction[axis] * end, axis);
-            low = core::min(from[axis], to) - slack[axis];
-            high = core::max(from[axis], to) + slack[axis];
+            axisSlack = slack[axis];
+            low = core::min(from[axis], to) - axisSlack;
+            high = core::max(from[axis], to) + axisSlack;
             tSlope = level.cell[axis] * walk.inverse_[axis];
-            tStart = begin - tSlope * from[axis] - slack[axis] * std::abs(tSlope);
+            tStart = begin - tSlope * from[axis] - axisSlack * std::abs(tSlope);
             const float uSlope = speed[u] * tSlope, uStart = from[u] - uSlope * from[axis];
             const float vSlope = speed[v] * tSlope, vStart = from[v] - vSlope * from[axis];
             start = PackLanes{uStart - slack[u], uStart + slack[u], vStart - slack[v], vStart + slack[v]};
@@ -100,8 +102,8 @@ private:
             int vLast() const { return bound[3]; }
         };
         Cells cells(int firstSlice, int slices) const {
-            const PackLanes from(core::max(static_cast<float>(firstSlice), low));
-            const PackLanes to(core::min(static_cast<float>(firstSlice + slices), high));
+            const PackLanes from(core::max(static_cast<float>(firstSlice) - axisSlack, low));
+            const PackLanes to(core::min(static_cast<float>(firstSlice + slices) + axisSlack, high));
             const PackLanes place = start + slope * xsimd::select(isAtLow, from, to);
             Cells cells;
             xsimd::to_int(core::min(core::max(place, PackLanes(0.f)), last)).store_aligned(cells.bound);
