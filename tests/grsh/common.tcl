@@ -18,6 +18,13 @@ proc testErrors {group rows} {
 
 set wrongWords {TCL WRONGARGS}
 
+# 0 to count - 1.
+proc range {count} {
+    set numbers {}
+    for {set i 0} {$i < $count} {incr i} {lappend numbers $i}
+    return $numbers
+}
+
 proc clean {} {
     gr_reset
     file delete -- {*}[glob -nocomplain *.png]
