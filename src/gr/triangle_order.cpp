@@ -41,14 +41,40 @@ void sort(Entries entries) {
     half(1);
 }
 
+core::Bounds boxOf(const FlatMesh& mesh, const glm::ivec3& triangle) {
+    core::Bounds box;
+    for (int k = 0; k < 3; ++k) box.include(core::Vec3f(mesh.vertices[mesh.corners[triangle[k]]]));
+    return box;
+}
+
+// Whether packs have smaller boxes than their triangles have together, as in most files: neighbours follow each other.
+bool isSorted(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles) {
+    constexpr double muchSmaller = 0.75;
+    const auto surface = [](const core::Bounds& box) {
+        const glm::dvec3 size = box.size();
+        return size.x * size.y + size.y * size.z + size.z * size.x;
+    };
+    double ofPacks = 0, ofTriangles = 0;
+    for (std::size_t first = 0; first < triangles.size(); first += packWidth) {
+        core::Bounds pack;
+        for (std::size_t i = first; i < std::min(first + packWidth, triangles.size()); ++i) {
+            const core::Bounds box = boxOf(mesh, triangles[i]);
+            pack.include(box);
+            ofTriangles += surface(box);
+        }
+        ofPacks += surface(pack);
+    }
+    return ofPacks <= muchSmaller * ofTriangles;
+}
+
 }  // namespace
 
 void sortIntoPacks(const FlatMesh& mesh, std::vector<glm::ivec3>& triangles) {
+    if (isSorted(mesh, triangles)) return;
     std::vector<Entry> entries(triangles.size());
     inParts(static_cast<int>(triangles.size()), [&](int first, int end) {
         for (int i = first; i < end; ++i) {
-            core::Bounds box;
-            for (int k = 0; k < 3; ++k) box.include(core::Vec3f(mesh.vertices[mesh.corners[triangles[i][k]]]));
+            const core::Bounds box = boxOf(mesh, triangles[i]);
             entries[i] = {(box.low + box.high) * 0.5f, i};
         }
     });
