@@ -16,7 +16,7 @@ class Scene;
 // How much work rays were.
 struct TraversalCounts {
     std::uint64_t tests = 0;  // of one shape or one triangle
-    std::uint64_t cells = 0;  // of a grid, or nodes of a tree
+    std::uint64_t cells = 0;  // of a grid, empty ones and whole bricks too; 0 for what is no grid
 
     TraversalCounts& operator+=(const TraversalCounts& other) {
         tests += other.tests;

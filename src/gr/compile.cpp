@@ -10,7 +10,8 @@ namespace gr {
 namespace {
 
 void checkMemory(const Node& top, double objects) {
-    const double needed = objects * sizeof(Instance);
+    // How many are turned, and need whole maps, is known only when they are spread out.
+    const double needed = objects * (sizeof(Instance) + sizeof(Placement::General));
     const double available = static_cast<double>(core::availableMemory());
     if (needed > available)
         throw core::Error("SCENE", "MEMORY", top.path(),
@@ -19,7 +20,7 @@ void checkMemory(const Node& top, double objects) {
                               " of memory; " + core::memoryText(available) + " are free");
 }
 
-// The largest sums of a row's absolute values
+// The largest sums of a row's absolute values:
 struct RowSums {
     double norm = 0;  // in worldFromObject
     double thereAndBack = 0;  // in |worldFromObject| |objectFromWorld|

@@ -2,6 +2,7 @@
 # rendering alone, the least of some runs that take turns; pictures are smaller than the scenes ask for.
 # Words: the names of scenes; none: all.
 
+source [file join [file dirname [info script]] .. support render_words.tcl]
 set folder [file normalize [file join [file dirname [info script]] .. .. scenes]]
 set accelerators {off grid embree auto}
 set rounds 7
@@ -9,9 +10,7 @@ set rounds 7
 # What the scene's gr_render would render, rendered with each accelerator in turn.
 rename gr_render renderWhole
 proc gr_render {node file width height eye view up fov args} {
-    set ambient [expr {[llength [lindex $args 0]] == 3 ? 2 - [llength $args] % 2 : 0}]
-    set tail [lrange $args 0 $ambient-1]
-    set options [lrange $args $ambient end]
+    lassign [renderWords $args] tail options
     set scale [expr {100. / max($width, $height)}]
     set size [list [expr {int($width * $scale)}] [expr {int($height * $scale)}]]
     dict set options progress off

@@ -2,31 +2,18 @@
 #pragma once
 
 #include "gr/mesh_file.h"
+#include "support/temporary_folder.h"
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 
 namespace gr {
 
-class MeshFolder {
+class MeshFolder : public support::TemporaryFolder {
 public:
-    MeshFolder() : path_((std::filesystem::temp_directory_path() / "grsh-mesh-test-XXXXXX").string()) {
-        if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make " + path_);
-    }
-    ~MeshFolder() { std::filesystem::remove_all(path_); }
-    MeshFolder(const MeshFolder&) = delete;
-    MeshFolder& operator=(const MeshFolder&) = delete;
-
-    std::string operator/(const std::string& name) const { return path_ + "/" + name; }
     std::string write(const std::string& name, std::string_view bytes) const {
         std::ofstream(*this / name, std::ios::binary) << bytes;
         return *this / name;
     }
-
-private:
-    std::string path_;
 };
 
 // Numbers as they are in memory.
