@@ -8,8 +8,8 @@ namespace render {
 
 class PixelLayers {
 public:
-    // A sample that is finite. depth: of the first surface, along the view; of no meaning where there is none.
-    void add(const core::Rgbf& radiance, const FirstSurface& first, float depth);
+    // A sample that is finite.
+    void add(const core::Rgbf& radiance, const FirstSurface& first);
     // Into those layers that the film has.
     void store(Film& film, int x, int y) const;
 

@@ -2,7 +2,7 @@
 
 namespace render {
 
-void PixelLayers::add(const core::Rgbf& radiance, const FirstSurface& first, float depth) {
+void PixelLayers::add(const core::Rgbf& radiance, const FirstSurface& first) {
     ++samples_;
     const glm::dvec3 deviation = glm::dvec3(radiance) - mean_;
     mean_ += deviation / samples_;
@@ -11,7 +11,7 @@ void PixelLayers::add(const core::Rgbf& radiance, const FirstSurface& first, flo
     ++met_;
     albedo_ += glm::dvec3(first.albedo);
     normal_ += glm::dvec3(first.normal);
-    depth_ += static_cast<double>(depth);
+    depth_ += static_cast<double>(first.distance);
 }
 
 void PixelLayers::store(Film& film, int x, int y) const {

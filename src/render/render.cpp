@@ -14,14 +14,14 @@ constexpr int tileSize = 16;  // pixels: small enough that the last tiles keep e
 class Tally {
 public:
     explicit Tally(Progress& progress) : progress_(progress) {}
-    ~Tally() { tell(); }
 
     RayCounts rays;
     std::uint64_t samples = 0;
     std::uint64_t dropped = 0;
 
-    void countSample() {
-        if (++samples - toldSamples_ >= 256) tell();
+    void count(std::uint64_t more) {
+        samples += more;
+        tell();
     }
 
 private:
@@ -37,60 +37,85 @@ private:
     std::uint64_t toldRays_ = 0;
 };
 
-class Renderer {
+// One thread's work on one tile of the picture.
+class TileRenderer {
 public:
-    Renderer(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
-             const std::atomic<bool>& stop)
-        : integrator_(integrator), camera_(camera), settings_(settings), grid_(settings.samplesPerPixel), stop_(stop) {}
+    TileRenderer(const Integrator& integrator, const View& view, Film& film, const std::atomic<bool>& stop,
+                 Progress& progress)
+        : tally(progress), integrator_(integrator), view_(view), film_(film), stop_(stop) {}
 
-    void renderTile(Film& film, int left, int top, Tally& tally) const {
-        const int right = std::min(left + tileSize, film.width());
-        const int bottom = std::min(top + tileSize, film.startLine() + film.lines());
-        for (int y = top; y < bottom; ++y)
-            for (int x = left; x < right; ++x) renderPixel(film, x, y, tally);
+    Tally tally;
+
+    // A few samples of each pixel at a time, which fit in the processor's own memory.
+    void render(int left, int top) {
+        SampleBlock block{left,
+                          top,
+                          std::min(left + tileSize, film_.width()),
+                          std::min(top + tileSize, film_.startLine() + film_.lines()),
+                          0,
+                          0};
+        pixels_.assign(static_cast<std::size_t>(block.pixels()), {});
+        for (; block.first < view_.samplesPerPixel; block.first = block.end) {
+            block.end = block.first + std::min(samplesAtOnce, view_.samplesPerPixel - block.first);
+            samples_.radiance.resize(static_cast<std::size_t>(block.size()));
+            if (film_.hasLayers()) samples_.first.assign(samples_.radiance.size(), {});
+            integrator_.render(view_, block, samples_, stop_);
+            if (stop_.load(std::memory_order_relaxed)) return;
+            add(block);
+        }
+        store(block);
     }
 
 private:
+    static constexpr int samplesAtOnce = 8;
+
     // The mean of the samples that are finite; in double, or a million of them would drown the last.
-    void renderPixel(Film& film, int x, int y, Tally& tally) const {
-        glm::dvec3 sum(0);
+    struct Pixel {
+        glm::dvec3 sum{0};
         int kept = 0;
         PixelLayers layers;
-        for (int sample = 0; sample < settings_.samplesPerPixel; ++sample) {
-            if (stop_.load(std::memory_order_relaxed)) return;
-            Sampler sampler(settings_.seed, x, y, sample);
-            const core::Vec2f u = sampler.next2D();
-            const core::Vec2f inPixel = settings_.antialiasing ? grid_.place(sample, u) : core::Vec2f(0.5f);
-            const core::Vec2f place(static_cast<float>(x) + inPixel.x, static_cast<float>(y) + inPixel.y);
-            const core::Rayf ray = camera_.hasLens() ? camera_.ray(place, sampler.next2D()) : camera_.ray(place);
-            FirstSurface first;
-            const core::Rgbf radiance =
-                integrator_.radiance(ray, sampler, tally.rays, film.hasLayers() ? &first : nullptr);
-            if (core::isFinite(radiance)) {
-                sum += glm::dvec3(radiance);
-                ++kept;
-                if (film.hasLayers()) layers.add(radiance, first, camera_.depth(ray, first.distance));
-            } else {
-                ++tally.dropped;
+    };
+
+    void add(const SampleBlock& block) {
+        std::size_t i = 0;
+        for (Pixel& pixel : pixels_)
+            for (int sample = block.first; sample < block.end; ++sample, ++i) {
+                const core::Rgbf& radiance = samples_.radiance[i];
+                if (core::isFinite(radiance)) {
+                    pixel.sum += glm::dvec3(radiance);
+                    ++pixel.kept;
+                    if (film_.hasLayers()) pixel.layers.add(radiance, samples_.first[i]);
+                } else {
+                    ++tally.dropped;
+                }
             }
-            tally.countSample();
+        tally.rays += samples_.rays;
+        samples_.rays = {};
+        tally.count(static_cast<std::uint64_t>(block.size()));
+    }
+
+    void store(const SampleBlock& block) const {
+        for (int i = 0; i < block.pixels(); ++i) {
+            const Pixel& pixel = pixels_[static_cast<std::size_t>(i)];
+            film_.at(block.x(i), block.y(i)) =
+                pixel.kept == 0 ? core::Rgbf(0) : core::Rgbf(pixel.sum / static_cast<double>(pixel.kept));
+            if (film_.hasLayers()) pixel.layers.store(film_, block.x(i), block.y(i));
         }
-        film.at(x, y) = kept == 0 ? core::Rgbf(0) : core::Rgbf(sum / static_cast<double>(kept));
-        if (film.hasLayers()) layers.store(film, x, y);
     }
 
     const Integrator& integrator_;
-    const Camera& camera_;
-    const RenderSettings& settings_;
-    PixelGrid grid_;
+    const View& view_;
+    Film& film_;
     const std::atomic<bool>& stop_;
+    Samples samples_;
+    std::vector<Pixel> pixels_;
 };
 
 }  // namespace
 
 RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
                     Progress& progress, const std::atomic<bool>& stop) {
-    const Renderer renderer(integrator, camera, settings, stop);
+    const View view{camera, settings.antialiasing, settings.seed, settings.samplesPerPixel};
     const int columns = (film.width() + tileSize - 1) / tileSize;
     const int rows = (film.lines() + tileSize - 1) / tileSize;
     RenderResult result;
@@ -99,14 +124,12 @@ RenderResult render(const Integrator& integrator, const Camera& camera, const Re
 
     core::parallelFor(rows * columns, result.threads, [&](int tile) {
         if (stop.load(std::memory_order_relaxed)) return;
-        Tally tally(progress);
-        const int left = tile % columns * tileSize;
-        const int top = film.startLine() + tile / columns * tileSize;
-        renderer.renderTile(film, left, top, tally);
+        TileRenderer renderer(integrator, view, film, stop, progress);
+        renderer.render(tile % columns * tileSize, film.startLine() + tile / columns * tileSize);
         const std::lock_guard lock(resultMutex);
-        result.rays += tally.rays;
-        result.samples += tally.samples;
-        result.droppedSamples += tally.dropped;
+        result.rays += renderer.tally.rays;
+        result.samples += renderer.tally.samples;
+        result.droppedSamples += renderer.tally.dropped;
     });
     result.finished = !stop.load();
     return result;

@@ -73,7 +73,7 @@ void count(RayCounts& rays, const BsdfSample<float>& sample) {
     ++(sample.wi.z < 0 ? rays.refractive : sample.isDiffuse ? rays.diffuse : rays.reflective);
 }
 
-class ReportIntegrator final : public Integrator {
+class ReportIntegrator final : public ScalarIntegrator {
 public:
     ReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator, const RenderSettings& settings,
                      const Rgbf& ambient, const Vec3f& eye)
@@ -180,9 +180,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> makeReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
-                                                 const RenderSettings& settings, const Rgbf& ambient,
-                                                 const Vec3f& eye) {
+std::unique_ptr<ScalarIntegrator> makeReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
+                                                       const RenderSettings& settings, const Rgbf& ambient,
+                                                       const Vec3f& eye) {
     return std::make_unique<ReportIntegrator>(scene, accelerator, settings, ambient, eye);
 }
 

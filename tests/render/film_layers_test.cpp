@@ -25,7 +25,7 @@ struct Sample {
 
 // Random radiance and surfaces; some samples are not finite, and some meet nothing. It keeps what it gave, by
 // direction.
-class Told : public Integrator {
+class Told : public ScalarIntegrator {
 public:
     Rgbf radiance(const core::Rayf& ray, Sampler& sampler, RayCounts&, FirstSurface* first) const override {
         Sample sample;
@@ -148,7 +148,7 @@ TEST(FilmLayers, DoNotChangeTheRadiance) {
 }
 
 // Integrators need not find out what nobody asked for.
-class NotAsked : public Integrator {
+class NotAsked : public ScalarIntegrator {
     Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&, FirstSurface* first) const override {
         return Rgbf(first == nullptr ? 1.f : 0.f);
     }

@@ -59,7 +59,7 @@ TEST(PixelGrid, FillsThePixel) {
 }
 
 // White where a ray passes to the lower right of a line, and keeps the places of all rays.
-class Edge : public Integrator {
+class Edge : public ScalarIntegrator {
 public:
     Edge(double slope, double offset) : slope_(slope), offset_(offset) {}
 

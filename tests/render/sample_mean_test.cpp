@@ -25,7 +25,7 @@ struct Picture {
 };
 
 // One channel of every seventh sample is not finite. It keeps what it gave, by direction.
-class Faulty : public Integrator {
+class Faulty : public ScalarIntegrator {
 public:
     core::Rgbf radiance(const core::Rayf& ray, Sampler& sampler, RayCounts&, FirstSurface*) const override {
         const float u = sampler.next1D();
@@ -74,7 +74,7 @@ TEST(NonFiniteSamples, AreDroppedAndCounted) {
     EXPECT_TRUE(picture.result.finished);
 }
 
-class AlwaysNan : public Integrator {
+class AlwaysNan : public ScalarIntegrator {
     core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&, FirstSurface*) const override {
         return core::Rgbf(std::nanf(""));
     }
@@ -88,7 +88,7 @@ TEST(NonFiniteSamples, LeaveBlackWhereThereAreNoOthers) {
 }
 
 // A sum in single precision would be off by the 10,000th sample.
-class Bright : public Integrator {
+class Bright : public ScalarIntegrator {
     core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&, FirstSurface*) const override {
         return core::Rgbf(0.1f, 1e30f, 0);
     }
@@ -102,7 +102,7 @@ TEST(Mean, IsExactForManySamples) {
 }
 
 // Asks for a stop at its 500th sample, and counts those that begin after that.
-class Stopping : public Integrator {
+class Stopping : public ScalarIntegrator {
 public:
     core::Rgbf radiance(const core::Rayf&, Sampler&, RayCounts&, FirstSurface*) const override {
         if (stop) ++late;

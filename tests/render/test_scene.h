@@ -61,7 +61,7 @@ public:
     Radiometer(const Radiometer&) = delete;
     Radiometer& operator=(const Radiometer&) = delete;
 
-    const Integrator& integrator() const { return *integrator_; }
+    const ScalarIntegrator& integrator() const { return *integrator_; }
 
     // One path.
     core::Rgbf sample(const core::Rayf& ray, std::uint64_t seed, int number) const {
@@ -81,7 +81,7 @@ public:
 private:
     gr::Scene scene_;
     std::unique_ptr<gr::Accelerator> accelerator_;
-    std::unique_ptr<Integrator> integrator_;
+    std::unique_ptr<ScalarIntegrator> integrator_;
 };
 
 }  // namespace render
