@@ -33,8 +33,12 @@ Vec3<Real> broadcast(const Vec3f& v) {
     return {Real(v.x), Real(v.y), Real(v.z)};
 }
 
+template<class Real>
+Real largestComponent(const Vec3<Real>& v) {
+    return max(max(Real(abs(v.x)), Real(abs(v.y))), Real(abs(v.z)));
+}
 inline float largestComponent(const Vec3f& v) {
-    return max(max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
+    return largestComponent<float>(v);
 }
 
 inline bool isFinite(const Vec3f& v) {

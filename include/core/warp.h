@@ -46,6 +46,41 @@ Real uniformHemispherePdfW(const Vec3<Real>& direction) {
     return select(direction.z >= Real(0), Real(1 / (2 * pi)), Real(0));
 }
 
+// With a density in proportion to the cosine: what is uniform over the disc below, lifted onto the hemisphere (Malley).
+template<class Real>
+Vec3<Real> squareToCosineHemisphere(const Vec2<Real>& u) {
+    const Real radius = sqrt(u.x);
+    const SinCos<Real> phi = sinCosTurns(u.y);
+    return {radius * phi.cos, radius * phi.sin, sqrt(Real(1) - u.x)};
+}
+
+template<class Real>
+Real cosineHemispherePdfW(const Vec3<Real>& direction) {
+    return max(direction.z, Real(0)) * Real(1 / pi);
+}
+
+// The two as what a template may be asked to draw from.
+struct UniformHemisphere {
+    template<class Real>
+    static Vec3<Real> direction(const Vec2<Real>& u) {
+        return squareToUniformHemisphere(u);
+    }
+    template<class Real>
+    static Real pdfW(const Vec3<Real>& direction) {
+        return uniformHemispherePdfW(direction);
+    }
+};
+struct CosineHemisphere {
+    template<class Real>
+    static Vec3<Real> direction(const Vec2<Real>& u) {
+        return squareToCosineHemisphere(u);
+    }
+    template<class Real>
+    static Real pdfW(const Vec3<Real>& direction) {
+        return cosineHemispherePdfW(direction);
+    }
+};
+
 // Uniform over the unit disc: the square root makes up for rings that grow with their radius.
 template<class Real>
 Vec2<Real> squareToUniformDisc(const Vec2<Real>& u) {

@@ -37,6 +37,8 @@ public:
     virtual std::size_t bytes() const = 0;
     // What it is, for a person: "grid of 12 x 8 x 3 cells".
     virtual std::string description() const = 0;
+    // Whether it tests every object for every ray.
+    virtual bool testsAll() const { return false; }
     std::string reason;  // why it was taken, where nobody asked for it by name
     // How many cells of a grid there are along each axis, of its top level; nothing for what is no grid.
     virtual std::optional<std::array<int, 3>> resolution() const { return std::nullopt; }

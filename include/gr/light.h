@@ -40,6 +40,12 @@ struct AreaLight {
         const core::Rgb<Real> weight = lanes(radiance) / pdf;
         return {target, wi, core::select(lit, weight, core::Rgb<Real>(Real(0))), core::select(lit, pdf, Real(0))};
     }
+
+    // The density of sample() for a ray of direction wi, of unit length, that meets the light's front after `distance`.
+    template<class Real>
+    Real pdfW(const core::Vec3<Real>& wi, const Real& distance) const {
+        return core::pdfAtoW(Real(1 / area), distance * distance, -glm::dot(wi, core::broadcast<Real>(normal)));
+    }
 };
 
 // The older point light. A surface that faces it at distance d receives the irradiance

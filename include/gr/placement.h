@@ -12,8 +12,14 @@ namespace gr {
 struct AlignedMap {
     core::Vec3f scale, translation;
 
-    core::Vec3f point(const core::Vec3f& p) const { return p * scale + translation; }
-    core::Vec3f vector(const core::Vec3f& v) const { return v * scale; }
+    template<class Real>
+    core::Vec3<Real> point(const core::Vec3<Real>& p) const {
+        return vector(p) + core::broadcast<Real>(translation);
+    }
+    template<class Real>
+    core::Vec3<Real> vector(const core::Vec3<Real>& v) const {
+        return v * core::broadcast<Real>(scale);
+    }
     operator core::Transform() const;
 };
 
@@ -45,15 +51,16 @@ public:
     core::Transform worldFromObject() const;
     core::Transform objectFromWorld() const;
 
-    core::Rayf toObject(const core::Rayf& ray) const {
+    template<class Real>
+    core::Ray<Real> toObject(const core::Ray<Real>& ray) const {
         if (const auto* aligned = std::get_if<Aligned>(&place_)) return along(aligned->objectFromWorld, ray);
         if (const auto* general = std::get_if<const General*>(&place_)) return along((*general)->objectFromWorld, ray);
         return ray;
     }
 
 private:
-    template<class Map>
-    static core::Rayf along(const Map& map, const core::Rayf& ray) {
+    template<class Map, class Real>
+    static core::Ray<Real> along(const Map& map, const core::Ray<Real>& ray) {
         return {map.point(ray.origin), map.vector(ray.direction), ray.tMax};
     }
 

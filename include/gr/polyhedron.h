@@ -15,6 +15,7 @@ namespace gr {
 
 struct Hit;
 struct PackRay;
+template<class Real>
 struct ShapePoint;
 struct TrianglePack;
 
@@ -70,7 +71,7 @@ public:
     bool occluded(const PackRay& ray, std::uint32_t pack) const;
     std::size_t packCount() const;
     core::Bounds packBounds(std::uint32_t pack) const;
-    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const;
+    ShapePoint<float> surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const;
 
     // Whether it has normals of its own for shading,
     bool hasNormals() const { return !normals_.empty(); }

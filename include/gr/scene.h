@@ -46,10 +46,71 @@ struct SurfacePoint {
     // its x axis where the normal is that axis. It is the same all over a flat face, and has no seam on a round one.
     core::Vec3f tangent() const;
     // The plane moves by the support of the error's cube in the direction of `side`.
-    static core::Vec3f offsetFrom(const core::Vec3f& position, const core::Vec3f& side, float error) {
-        return position + side * (error * (std::abs(side.x) + std::abs(side.y) + std::abs(side.z)));
+    template<class Real>
+    static core::Vec3<Real> offsetFrom(const core::Vec3<Real>& position, const core::Vec3<Real>& side,
+                                       const Real& error) {
+        return position + side * (error * (core::abs(side.x) + core::abs(side.y) + core::abs(side.z)));
     }
 };
+
+// Where rays met an instance's shape, in the world.
+template<class Real>
+struct PlacedPoint {
+    core::Vec3<Real> position;
+    core::Vec3<Real> normal;  // unit length, outward
+    core::Vec3<Real> objectNormal;  // in the object's own space, not of unit length
+    core::Mask<Real> front;  // whether the ray came from the normal's side
+    Real error;  // see Instance
+};
+
+// A ray that comes along the surface must see the normal from the side that it came from, or it would go on from the
+// other one: where rounding says otherwise, the normal is bent by as much.
+template<class Real>
+core::Vec3<Real> facing(const core::Vec3<Real>& normal, const core::Vec3<Real>& direction,
+                        const core::Mask<Real>& front) {
+    const core::Mask<Real> isWrong = core::differ(glm::dot(direction, normal) < Real(0), front);
+    if (!core::any(isWrong)) return normal;
+    const Real beyondRounding(0x1p-20f);
+    const Real length = glm::length(direction);
+    const Real wanted = core::select(front, -beyondRounding, beyondRounding);
+    const core::Vec3<Real> bent =
+        glm::normalize(normal + direction * ((wanted - glm::dot(direction, normal) / length) / length));
+    return core::select(isWrong, bent, normal);
+}
+
+// inObjectSpace: the ShapePoint of a ray in the object's space, with a margin.
+template<class Real, class InObjectSpace>
+PlacedPoint<Real> placed(const Instance& instance, const core::Ray<Real>& ray, const Real& t,
+                         const InObjectSpace& inObjectSpace) {
+    PlacedPoint<Real> placed;
+    placed.error = Real(instance.error) +
+                   Real(instance.errorPerUnit()) * core::largestComponent<Real>(ray.origin + ray.direction * t);
+
+    // No coordinate of the step off the surface is larger than (1 + sqrt(3)) / 2 times the error, and rounding adds the
+    // error once more: 2.4 in all, along each of the world's axes, and so on to the object's.
+    const bool isInPlace = instance.place.isInPlace();
+    const core::Transform map = instance.place.objectFromWorld();
+    const core::Vec3f unit = isInPlace ? core::Vec3f(1) : glm::abs(map.x) + glm::abs(map.y) + glm::abs(map.z);
+    const core::Vec3<Real> margin = core::broadcast<Real>(unit) * (Real(2.4f) * placed.error);
+    const ShapePoint<Real> point = inObjectSpace(instance.place.toObject(ray), margin);
+
+    placed.position = isInPlace ? point.position : instance.place.worldFromObject().point(point.position);
+    const core::Vec3<Real> normal = isInPlace ? point.normal : map.transposed(point.normal);
+    placed.normal = facing<Real>(glm::normalize(normal), ray.direction, point.front);
+    placed.objectNormal = point.normal;
+    placed.front = point.front;
+    return placed;
+}
+
+// The u axis where that is the normal in the object's own space: see SurfacePoint::tangent.
+template<class Real>
+core::Vec3<Real> tangentAt(const Instance& instance, const core::Vec3<Real>& objectNormal) {
+    const core::Vec3<Real>& n = objectNormal;
+    const Real beyondRounding(0x1p-17f), zero(0);
+    const core::Mask<Real> isPole = core::abs(n.x) + core::abs(n.z) <= beyondRounding * core::abs(n.y);
+    const core::Vec3<Real> east = core::select(isPole, core::Vec3<Real>(Real(1), zero, zero), {n.z, zero, -n.x});
+    return instance.place.worldFromObject().vector(east);
+}
 
 class Scene {
 public:
@@ -62,7 +123,15 @@ public:
 
     SurfacePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
     // From a point off a surface to a place on an area light, a hair before it: t from 0 to 1.
-    core::Rayf shadowRay(const core::Vec3f& start, const AreaLight& light, const core::Vec3f& target) const;
+    template<class Real>
+    core::Ray<Real> shadowRay(const core::Vec3<Real>& start, const AreaLight& light,
+                              const core::Vec3<Real>& target) const {
+        // The end is rounded by how far away the ray starts, too.
+        const Real error =
+            Real(light.error) + Real(instances[light.instance].errorPerUnit()) * core::largestComponent(start);
+        const core::Vec3<Real> end = SurfacePoint::offsetFrom(target, core::broadcast<Real>(light.normal), error);
+        return {start, end - start, Real(1)};
+    }
     std::size_t objectCount() const;  // shapes, and the triangles of meshes
     std::size_t bytes() const;
 };

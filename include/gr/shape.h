@@ -28,10 +28,11 @@ struct Hit {
 };
 
 // A point of a surface and the outward normal (not of unit length) there, in the shape's own space.
+template<class Real>
 struct ShapePoint {
-    core::Vec3f position;
-    core::Vec3f normal;
-    bool front;  // whether the ray came from the side of the normal, also where rounding hides it
+    core::Vec3<Real> position;
+    core::Vec3<Real> normal;
+    core::Mask<Real> front;  // whether the ray came from the side of the normal, also where rounding hides it
 };
 
 // The unit sphere at the origin.
@@ -59,12 +60,13 @@ struct Sphere {
         return select(meets & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
     }
 
-    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const {
-        const core::Vec3f p = glm::normalize(ray.origin + ray.direction * hit.t);
-        const bool front = glm::dot(ray.origin, ray.origin) - 1 > 0;
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+        const core::Vec3<Real> p = glm::normalize(ray.origin + ray.direction * t);
+        const core::Mask<Real> front = glm::dot(ray.origin, ray.origin) - Real(1) > Real(0);
         // Seen from within, the sphere comes nearer sideways, by half the square of how far.
-        const float sagitta = core::min(0.5f * glm::dot(margin, margin), 0.5f);
-        return {front ? p : p * (1 - sagitta), p, front};
+        const Real sagitta = core::min(Real(0.5f) * glm::dot(margin, margin), Real(0.5f));
+        return {core::select(front, p, p * (Real(1) - sagitta)), p, front};
     }
 };
 
@@ -92,7 +94,32 @@ struct Box {
         return select(meets & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
     }
 
-    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const;
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+        const Real zero(0), one(1);
+        const auto isBeyond = [&](int i) { return (ray.origin[i] < zero) | (ray.origin[i] > one); };
+        const core::Mask<Real> outside = isBeyond(0) | isBeyond(1) | isBeyond(2);
+        // The face is the nearest of those that a ray from there can meet: never one that looks the other way, however
+        // near the edge to it.
+        const core::Vec3<Real> hit = ray.origin + ray.direction * t;
+        core::Vec3<Real> plane, distance;
+        for (int i = 0; i < 3; ++i) {
+            plane[i] = core::select(core::differ(ray.direction[i] > zero, outside), one, zero);
+            distance[i] = core::abs(hit[i] - plane[i]);
+        }
+        const core::Mask<Real> isY = distance.y < distance.x;
+        const core::Mask<Real> isZ = distance.z < core::select(isY, distance.y, distance.x);
+        const core::Mask<Real> isX = !(isY | isZ), isOnlyY = isY & !isZ;
+        const core::Mask<Real> isFace[3] = {isX, isOnlyY, isZ};
+        core::Vec3<Real> position, normal;
+        for (int i = 0; i < 3; ++i) {
+            const Real least = core::min(margin[i], Real(0.5f));
+            const Real inside = core::min(core::max(hit[i], least), one - least);
+            position[i] = core::select(isFace[i], plane[i], inside);
+            normal[i] = core::select(isFace[i], Real(2) * plane[i] - one, zero);
+        }
+        return {position, normal, outside};
+    }
 };
 
 // The square [-1/2, 1/2]^2 in the x-z plane, facing -y: an area light.
@@ -110,9 +137,10 @@ struct Square {
         return core::select(inside & (t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
     }
 
-    ShapePoint surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f&) const {
-        const core::Vec3f p = ray.origin + ray.direction * hit.t;
-        return {{p.x, 0, p.z}, {0, -1, 0}, ray.direction.y > 0};
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>&) const {
+        const core::Vec3<Real> p = ray.origin + ray.direction * t;
+        return {{p.x, Real(0), p.z}, {Real(0), Real(-1), Real(0)}, ray.direction.y > Real(0)};
     }
 };
 

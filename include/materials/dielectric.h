@@ -73,13 +73,13 @@ struct Dielectric {
                             core::Rgb<Real>(Real(0)));
     }
 
-    template<class Real>
+    template<class Real, class Hemisphere = core::UniformHemisphere>
     Real pdfW(const core::Vec3<Real>&, const core::Vec3<Real>&) const {
         return Real(0);
     }
 
     // indexBeyond: of refraction, beyond the surface over this side of it.
-    template<class Real>
+    template<class Real, class Hemisphere = core::UniformHemisphere>
     BsdfSample<Real> sample(const core::Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& indexBeyond) const {
         const Real zero(0), one(1);
         // Snell's law. The cosine beyond comes from the sine; flatter, where that has lost its digits, from the cosine.

@@ -36,14 +36,14 @@ struct Diffuse {
         return core::select(reflects, f * wi.z, core::Rgb<Real>(Real(0)));
     }
 
-    template<class Real>
+    template<class Real, class Hemisphere = core::UniformHemisphere>
     Real pdfW(const core::Vec3<Real>& wo, const core::Vec3<Real>& wi) const {
-        return methods<Real>().pdfW(wo, wi);
+        return methods<Real, Hemisphere>().pdfW(wo, wi);
     }
 
-    template<class Real>
+    template<class Real, class Hemisphere = core::UniformHemisphere>
     BsdfSample<Real> sample(const core::Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real&) const {
-        return methods<Real>().sample(wo, u, [&](const core::Vec3<Real>& wi) { return eval(wo, wi); });
+        return methods<Real, Hemisphere>().sample(wo, u, [&](const core::Vec3<Real>& wi) { return eval(wo, wi); });
     }
 
     // What the albedo layer of a picture shows.
@@ -52,9 +52,8 @@ struct Diffuse {
     core::Rgbf ambientReflectance() const { return reflectance; }
 
 private:
-    // The report draws diffuse directions uniformly over the hemisphere.
-    template<class Real>
-    OpaqueMethods<Real, NoHalfVector> methods() const {
+    template<class Real, class Hemisphere>
+    OpaqueMethods<Real, NoHalfVector, Hemisphere> methods() const {
         return {sampling ? methodsOf<Real>(*sampling) : Methods<Real>{.diffuse = Real(1)}, perturbation, {}};
     }
 };

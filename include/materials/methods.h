@@ -53,9 +53,11 @@ core::Vec3<Real> perturbedReflection(const core::Vec3<Real>& wo, const core::Vec
     return core::Frame<Real>(mirrored(wo)).toWorld(core::squareToUniformCone(u, Real(height)));
 }
 
-// How opaque materials go on. HalfVector is Shirley's method with its pdfW and direction, for a material that has it.
+// How opaque materials go on. HalfVector is Shirley's method with its pdfW and direction, for a material that has it;
+// Hemisphere is what the diffuse method draws from: core::UniformHemisphere in the report, core::CosineHemisphere where
+// less noise is wanted.
 // What a material cannot do, refraction or half vectors, gives no sample.
-template<class Real, class HalfVector>
+template<class Real, class HalfVector, class Hemisphere>
 class OpaqueMethods {
 public:
     OpaqueMethods(const Methods<Real>& p, double perturbation, const HalfVector& halfVector)
@@ -64,7 +66,7 @@ public:
     // The mean of the methods' densities, each with its probability.
     Real pdfW(const core::Vec3<Real>& wo, const core::Vec3<Real>& wi) const {
         const Real zero(0);
-        Real pdf = p_.diffuse * core::uniformHemispherePdfW(wi);
+        Real pdf = p_.diffuse * Hemisphere::pdfW(wi);
         if (core::any(p_.reflective > zero))
             pdf += p_.reflective * core::uniformConePdfW(mirrored(wo), wi, Real(coneHeight(perturbation_)));
         if (core::any(p_.shirley > zero)) pdf += p_.shirley * halfVector_.pdfW(wo, wi);
@@ -77,7 +79,7 @@ public:
         const Real zero(0);
         const ChosenMethod<Real> chosen = choose(p_, u.method);
         core::Vec3<Real> wi(zero, zero, Real(-1));
-        if (core::any(chosen.diffuse)) wi = core::select(chosen.diffuse, core::squareToUniformHemisphere(u.place), wi);
+        if (core::any(chosen.diffuse)) wi = core::select(chosen.diffuse, Hemisphere::direction(u.place), wi);
         if (core::any(chosen.reflective))
             wi = core::select(chosen.reflective, perturbedReflection(wo, u.place, coneHeight(perturbation_)), wi);
         if (core::any(chosen.shirley)) wi = core::select(chosen.shirley, halfVector_.direction(wo, u.place), wi);

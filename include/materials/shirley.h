@@ -112,14 +112,14 @@ struct Shirley {
         return core::select(reflects, highlight + base, core::Rgb<Real>(Real(0)));
     }
 
-    template<class Real>
+    template<class Real, class Hemisphere = core::UniformHemisphere>
     Real pdfW(const core::Vec3<Real>& wo, const core::Vec3<Real>& wi) const {
-        return methods(wo).pdfW(wo, wi);
+        return methods<Real, Hemisphere>(wo).pdfW(wo, wi);
     }
 
-    template<class Real>
+    template<class Real, class Hemisphere = core::UniformHemisphere>
     BsdfSample<Real> sample(const core::Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real&) const {
-        return methods(wo).sample(wo, u, [&](const core::Vec3<Real>& wi) { return eval(wo, wi); });
+        return methods<Real, Hemisphere>(wo).sample(wo, u, [&](const core::Vec3<Real>& wi) { return eval(wo, wi); });
     }
 
     // What the albedo layer of a picture shows: about what it reflects, seen along the normal.
@@ -143,8 +143,8 @@ private:
     ShirleyHalfVector halfVector() const { return {exponents.x, exponents.y}; }
 
     // The highlight is drawn as often as it reflects more than the base, seen from wo.
-    template<class Real>
-    OpaqueMethods<Real, ShirleyHalfVector> methods(const core::Vec3<Real>& wo) const {
+    template<class Real, class Hemisphere>
+    OpaqueMethods<Real, ShirleyHalfVector, Hemisphere> methods(const core::Vec3<Real>& wo) const {
         if (sampling) return {methodsOf<Real>(*sampling), perturbation, halfVector()};
         const auto sum = [](const auto& colour) { return colour.x + colour.y + colour.z; };
         const Real highlight = sum(fresnel(wo.z));

@@ -99,4 +99,9 @@ std::unique_ptr<ScalarIntegrator> makeReportIntegrator(const gr::Scene& scene, c
                                                        const RenderSettings& settings, const core::Rgbf& ambient,
                                                        const core::Vec3f& eye);
 
+// The same expected picture with far less noise for the time: many paths at once, in lanes. All as above.
+std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
+                                               const RenderSettings& settings, const core::Rgbf& ambient,
+                                               const core::Vec3f& eye);
+
 }  // namespace render

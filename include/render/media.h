@@ -26,6 +26,9 @@ public:
         return inside_.empty() ? core::Rgbf(1) : inside_.back()->transmittance(length);
     }
 
+    // Per unit length.
+    core::Rgbf absorption() const { return inside_.empty() ? core::Rgbf(0) : inside_.back()->absorption; }
+
 private:
     static float indexOf(const materials::Dielectric* material) { return static_cast<float>(material->index); }
 

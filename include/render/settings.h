@@ -17,11 +17,12 @@ struct RenderSettings {
     std::optional<int> stopLine;
     int samplesPerPixel = 16;
     int samplesPerLightSource = 1;
-    core::Word integrator = "report";
+    core::Word integrator = "path";
     std::uint64_t seed = 0;
     core::Rgbf background{0};
     double exposure = 0;
     core::WordList layers;
+    core::Word lanes = "auto";
     int threads = 0;  // 0: all cores
     bool progress = true;
 

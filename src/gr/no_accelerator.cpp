@@ -78,6 +78,7 @@ public:
     }
 
     std::string description() const override { return "every object tested"; }
+    bool testsAll() const override { return true; }
 
 private:
     // Triangles of meshes that stand in the world as they are, several meshes' in a pack.

@@ -168,7 +168,7 @@ float lengthSquared(const core::Vec3f& v) {
 
 }  // namespace
 
-ShapePoint Polyhedron::surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const {
+ShapePoint<float> Polyhedron::surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const {
     const core::Vec3f a = vertex(hit.triangle, 0);
     const core::Vec3f b = vertex(hit.triangle, 1);
     const core::Vec3f c = vertex(hit.triangle, 2);

@@ -47,6 +47,14 @@ render::Metadata metadataOf(const RenderJob& job, Tcl_Interp* interp) {
     return metadata;
 }
 
+std::unique_ptr<render::Integrator> makeIntegrator(const RenderJob& job, const gr::Scene& scene,
+                                                   const gr::Accelerator& accelerator) {
+    const core::Vec3f eye(job.eye);
+    if (job.settings.integrator == "report")
+        return render::makeReportIntegrator(scene, accelerator, job.settings, job.ambient, eye);
+    return render::makePathIntegrator(scene, accelerator, job.settings, job.ambient, eye);
+}
+
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -76,8 +84,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const auto accelerator =
         gr::makeAccelerator(job.settings.accelerator, scene, core::threadCount(job.settings.threads));
     const double buildSeconds = secondsSince(buildStart);
-    const auto integrator =
-        render::makeReportIntegrator(scene, *accelerator, job.settings, job.ambient, core::Vec3f(job.eye));
+    const auto integrator = makeIntegrator(job, scene, *accelerator);
     render::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
     const auto renderStart = std::chrono::steady_clock::now();
     const render::RenderResult result = renderFilm(job, *integrator, film);

@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "grsh/option_words.h"
 #include "render/film.h"
+#include "render/lanes_choice.h"
 
 namespace grsh {
 namespace {
@@ -100,6 +101,7 @@ RenderJob readRenderJob(Call& call) {
     readCamera(call, job);
     readTail(call, job);
     checkLines(job);
+    render::checkLanes(job.settings.lanes);
     checkMemory(job);
     return job;
 }

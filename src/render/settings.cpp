@@ -1,6 +1,7 @@
 #include "render/settings.h"
 
 #include "gr/accelerator.h"
+#include "render/lanes_choice.h"
 #include "render/layer.h"
 
 #include <array>
@@ -8,13 +9,13 @@
 namespace render {
 namespace {
 
-constexpr std::array<core::Word, 1> integrators{"report"};
+constexpr std::array<core::Word, 2> integrators{"path", "report"};
 constexpr core::Range atLeastOne{.least = 1, .most = 2147483647};
 constexpr core::Range line{.least = 0, .most = 999999};
 
 using S = RenderSettings;
 
-const std::array<core::OptionRow<S>, 18> rows{{
+const std::array<core::OptionRow<S>, 19> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
      .words = gr::acceleratorNames(),
@@ -64,7 +65,7 @@ const std::array<core::OptionRow<S>, 18> rows{{
     {.name = "integrator",
      .member = &S::integrator,
      .words = integrators,
-     .help = "how light is added up; report is the report's own way, plain and slow"},
+     .help = "how light is added up: path has far less noise, report is the report's own way, plain and slow"},
     {.name = "seed",
      .member = &S::seed,
      .range = {.least = 0},
@@ -83,6 +84,11 @@ const std::array<core::OptionRow<S>, 18> rows{{
      .member = &S::layers,
      .words = layerNames(),
      .help = "what an .exr file holds of each pixel beside its radiance",
+     .inPicture = false},
+    {.name = "lanes",
+     .member = &S::lanes,
+     .words = laneNames(),
+     .help = "how many paths are followed at once, by what the processor has; the picture does not depend on it",
      .inPicture = false},
     {.name = "threads",
      .member = &S::threads,

@@ -191,7 +191,7 @@ TEST_F(Program, SaysInThePictureWhatMadeIt) {
             Pair("grsh:globalillumination", "on"), Pair("grsh:antialiasing", "on"), Pair("grsh:pathlength", "3"),
             Pair("grsh:depthoffield", "off"), Pair("grsh:focaldistance", "1"), Pair("grsh:aperture", "0.1"),
             Pair("grsh:startline", "0"), Pair("grsh:stopline", "12"), Pair("grsh:samplesperpixel", "3"),
-            Pair("grsh:samplesperlightsource", "2"), Pair("grsh:integrator", "report"),
+            Pair("grsh:samplesperlightsource", "2"), Pair("grsh:integrator", "path"),
             Pair("grsh:seed", "9223372036854775807"), Pair("grsh:background", "0 0.25 1e-06"),
             Pair("grsh:exposure", "-0.5")));
 }

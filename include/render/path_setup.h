@@ -1,0 +1,28 @@
+// What the path integrator is given, whatever number of lanes it has.
+#pragma once
+
+#include "render/integrator.h"
+#include "render/media.h"
+#include "render/path_scene.h"
+
+namespace render {
+
+struct PathSetup {
+    PathScene scene;
+    int pathLength;
+    int lightSamples;  // of each area light at each surface point
+    core::Rgbf background, ambient;
+    core::Vec3f eye;
+    Media eyeMedia;  // what the eye is inside of
+};
+
+}  // namespace render
+
+// The same integrator, compiled for processors that have less or more: each gives the same picture, bit by bit. The
+// caller owns what it returns. C names, which the build keeps while it hides all else of the wider ones.
+extern "C" {
+render::Integrator* grsh_path_integrator_float(const render::PathSetup& setup);
+render::Integrator* grsh_path_integrator_baseline(const render::PathSetup& setup);
+render::Integrator* grsh_path_integrator_avx2(const render::PathSetup& setup);
+render::Integrator* grsh_path_integrator_avx512(const render::PathSetup& setup);
+}

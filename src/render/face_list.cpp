@@ -1,0 +1,149 @@
+#include "render/face_list.h"
+
+#include <algorithm>
+
+namespace render {
+namespace {
+
+using core::Vec3f;
+using Corners = std::array<glm::dvec3, 3>;
+
+// The corner b, opposite to which the other triangle's corner would be, if the two make a parallelogram.
+std::optional<Corners> joined(const Corners& a, const Corners& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 &apex = a[i], &next = a[(i + 1) % 3], &last = a[(i + 2) % 3];
+        const glm::dvec3 opposite = next + last - apex;
+        const double tolerance = 1e-6 * (glm::length(next - apex) + glm::length(last - apex));
+        for (std::size_t j = 0; j < 3; ++j)
+            if (glm::distance(b[j], opposite) <= tolerance && glm::distance(b[(j + 1) % 3], last) <= tolerance &&
+                glm::distance(b[(j + 2) % 3], next) <= tolerance)
+                return Corners{apex, next, last};
+    }
+    return std::nullopt;
+}
+
+class FaceMaker {
+public:
+    explicit FaceMaker(const gr::Scene& scene) : scene_(scene) {}
+
+    FaceList make() {
+        for (const gr::Instance& instance : scene_.instances) {
+            if (const auto* mesh = std::get_if<const gr::Polyhedron*>(&instance.shape)) {
+                if (!(*mesh)->hasNormals()) add(instance, **mesh);
+            } else if (const auto* square = std::get_if<gr::Square>(&instance.shape)) {
+                add(instance, *square);
+            }
+        }
+        collectPoints();
+        list_.blockingParallelograms = sortBlockingFirst(list_.parallelograms);
+        list_.blockingTriangles = sortBlockingFirst(list_.triangles);
+        return std::move(list_);
+    }
+
+private:
+    void add(const gr::Instance& instance, const gr::Polyhedron& mesh) {
+        const auto count = static_cast<std::uint32_t>(mesh.triangleCount());
+        const core::Transform map = instance.place.worldFromObject();
+        const auto corners = [&](std::uint32_t triangle) {
+            Corners c;
+            for (int k = 0; k < 3; ++k) c[static_cast<std::size_t>(k)] = map.point(mesh.vertex(triangle, k));
+            return c;
+        };
+        const bool isMirrored = glm::dot(glm::cross(map.x, map.y), map.z) < 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Corners first = corners(i);
+            const auto pair = i + 1 < count ? joined(first, corners(i + 1)) : std::nullopt;
+            auto& faces = pair ? list_.parallelograms : list_.triangles;
+            const Corners c = pair.value_or(first);
+            addFace(faces, instance, isMirrored ? Corners{c[0], c[2], c[1]} : c, -1);
+            if (pair) ++i;
+        }
+    }
+
+    void add(const gr::Instance& instance, const gr::Square& square) {
+        const gr::AreaLight& light = scene_.areaLights[square.light];
+        const Vec3f side = glm::cross(light.edge1, light.edge2);
+        const bool isTurned = glm::dot(side, light.normal) < 0;
+        const glm::dvec3 corner(light.corner), end1(corner + glm::dvec3(light.edge1)),
+            end2(corner + glm::dvec3(light.edge2));
+        addFace(list_.parallelograms, instance, isTurned ? Corners{corner, end2, end1} : Corners{corner, end1, end2},
+                static_cast<int>(square.light));
+    }
+
+    // c: counterclockwise as seen from the normal's side.
+    void addFace(std::vector<Face>& faces, const gr::Instance& instance, const Corners& c, int light) {
+        const glm::dvec3 edge1 = c[1] - c[0], edge2 = c[2] - c[0], across = glm::cross(edge1, edge2);
+        const double square = glm::dot(across, across);
+        const glm::dvec3 toU = glm::cross(edge2, across) / square, toV = glm::cross(across, edge1) / square;
+        const Vec3f normal(glm::normalize(across));
+        const Vec3f objectNormal = instance.place.worldFromObject().transposed(normal);
+        gr::SurfacePoint surface;
+        surface.objectNormal = objectNormal;
+        surface.instance = &instance;
+        // A step of the error's 2.4-fold along each axis, across an edge that meets its neighbour at 15 degrees.
+        const auto reach = [](const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+        const auto margin = static_cast<float>(4 * 2.4 * std::max({reach(toU), reach(toV), reach(toU + toV)}));
+        faces.push_back({Vec3f(c[0]), normal, Vec3f(edge1), Vec3f(edge2), Vec3f(toU), Vec3f(toV), surface.tangent(),
+                         instance.error, instance.errorPerUnit(), margin, static_cast<float>(instance.material),
+                         static_cast<float>(light)});
+    }
+
+    // Points such that whatever lies behind a plane has some of them there, with how far rounding may have moved each.
+    void collectPoints() {
+        for (const gr::Instance& instance : scene_.instances) {
+            const auto add = [&](const Vec3f& p) {
+                points_.push_back({p, instance.error + instance.errorPerUnit() * core::largestComponent(p)});
+            };
+            if (const auto* mesh = std::get_if<const gr::Polyhedron*>(&instance.shape)) {
+                const core::Transform map = instance.place.worldFromObject();
+                for (std::uint32_t i = 0; i < (*mesh)->triangleCount(); ++i)
+                    for (int k = 0; k < 3; ++k) add(map.point((*mesh)->vertex(i, k)));
+            } else {
+                const core::Bounds bounds = instance.bounds();
+                for (int corner = 0; corner < 8; ++corner)
+                    add({corner & 1 ? bounds.low.x : bounds.high.x, corner & 2 ? bounds.low.y : bounds.high.y,
+                         corner & 4 ? bounds.low.z : bounds.high.z});
+            }
+            if (points_.size() > mostPoints) return;
+        }
+        for (const gr::PointLight& light : scene_.pointLights) points_.push_back({light.position, 0});
+    }
+
+    // Between two points in front of a plane, it does not stand. What touches the plane counts as in front: the faces
+    // that meet in a room's corner do, and a ball on the floor.
+    bool isBlocking(const Face& face) const {
+        if (points_.size() > mostPoints) return true;
+        for (const Vec3f& normal : {face.normal, -face.normal}) {
+            const auto isBehind = [&](const Point& point) {
+                const double distance = glm::dot(glm::dvec3(normal), glm::dvec3(point.place) - glm::dvec3(face.corner));
+                const float error = face.error + face.errorPerUnit * core::largestComponent(point.place);
+                return distance < -4.0 * static_cast<double>(error + point.error);
+            };
+            if (std::none_of(points_.begin(), points_.end(), isBehind)) return false;
+        }
+        return true;
+    }
+
+    std::size_t sortBlockingFirst(std::vector<Face>& faces) const {
+        const auto end =
+            std::stable_partition(faces.begin(), faces.end(), [&](const Face& face) { return isBlocking(face); });
+        return static_cast<std::size_t>(end - faces.begin());
+    }
+
+    const gr::Scene& scene_;
+    FaceList list_;
+    struct Point {
+        Vec3f place;
+        float error;
+    };
+    static constexpr std::size_t mostPoints = 4096;  // all faces are compared with all of them
+    std::vector<Point> points_;
+};
+
+}  // namespace
+
+FaceList facesOf(const gr::Scene& scene) {
+    return FaceMaker(scene).make();
+}
+
+}  // namespace render

@@ -1,0 +1,454 @@
+#include "core/frame.h"
+#include "render/lane_media.h"
+#include "render/lane_tracer.h"
+#include "render/owen_sobol.h"
+#include "render/path_setup.h"
+
+#include <algorithm>
+
+namespace render {
+namespace {
+
+using materials::BsdfSample;
+using Hemisphere = core::CosineHemisphere;
+
+template<class Real>
+using Mask = core::Mask<Real>;
+template<class Real>
+using Vec3 = core::Vec3<Real>;
+template<class Real>
+using Rgb = core::Rgb<Real>;
+
+template<class Real>
+BsdfSample<Real> select(const Mask<Real>& mask, const BsdfSample<Real>& yes, const BsdfSample<Real>& no) {
+    const auto either = [&](const Mask<Real>& a, const Mask<Real>& b) -> Mask<Real> {
+        return (mask & a) | (b & !mask);
+    };
+    return {core::select(mask, yes.wi, no.wi),     core::select(mask, yes.weight, no.weight),
+            core::select(mask, yes.pdfW, no.pdfW), either(yes.valid, no.valid),
+            either(yes.isDelta, no.isDelta),       either(yes.isLit, no.isLit),
+            either(yes.isDiffuse, no.isDiffuse)};
+}
+
+template<class Real>
+Mask<Real> none() {
+    return Real(0) > Real(0);
+}
+
+// Paths on their way, one in each lane.
+template<class Real>
+struct Paths {
+    std::array<std::uint32_t, mostLanes> x{}, y{}, sample{};
+    std::array<std::size_t, mostLanes> slot{};  // where its radiance belongs in the block
+    OwenSobol<Real> random{};
+    core::Ray<Real> ray{};
+    Rgb<Real> radiance{Real(0)};
+    Rgb<Real> throughput{Real(0)};  // what is left of light that comes along the ray, when it arrives at the eye
+    Real surfacePoints = Real(0);
+    Real pdfW =
+        Real(0);  // of the ray's direction; infinity where light sampling cannot bring what it brings, 0 where it has
+    core::Vec2<Real> lightDraw{Real(0)};  // for the next surface point
+    Mask<Real> alive = none<Real>();
+    LaneMedia<Real> media;
+};
+
+// Surface points as the paths see them: the normals are turned to where each comes from.
+template<class Real>
+struct ShadingPoints {
+    const gr::Scene& scene;
+    const LaneSurface<Real>& surface;
+    std::uint32_t lanes;  // that are shaded
+    Mask<Real> fromOutside;
+    Vec3<Real> normal;
+    core::Frame<Real> frame;
+    Vec3<Real> wo;
+
+    ShadingPoints(const PathScene& scene, const core::Ray<Real>& ray, const LaneSurface<Real>& surface,
+                  const Mask<Real>& shaded)
+        : scene(scene.scene),
+          surface(surface),
+          lanes(core::bitsOf(shaded)),
+          fromOutside(glm::dot(ray.direction, surface.normal) < Real(0)),
+          normal(core::select(fromOutside, surface.normal, -surface.normal)),
+          frame(core::select(fromOutside, surface.shadingNormal, -surface.shadingNormal)) {
+        if (scene.hasAnisotropy) turnFrame();
+        wo = frame.toLocal(-ray.direction);
+    }
+
+    // Calls f(bsdf, mask) for each material that any lane's surface is made of.
+    template<class F>
+    void forEachMaterial(F&& f) const {
+        const core::LaneArray<Real> index(surface.material);
+        for (std::uint32_t rest = lanes; rest != 0;) {
+            const float material = index[std::countr_zero(rest)];
+            const Mask<Real> here = surface.material == Real(material);
+            rest &= ~core::bitsOf(here);
+            std::visit([&](const auto& bsdf) { f(bsdf, here); }, scene.materials[static_cast<std::size_t>(material)]);
+        }
+    }
+    // Light from there would shine through the surface: it is above as the surface is shaded and below as it lies, or
+    // the other way round.
+    Mask<Real> isOnWrongSide(const Vec3<Real>& direction, const Vec3<Real>& wi) const {
+        return surface.isSmooth & core::differ(glm::dot(direction, normal) > Real(0), wi.z > Real(0));
+    }
+    Vec3<Real> offset(const Vec3<Real>& side) const {
+        return gr::SurfacePoint::offsetFrom(surface.position, side, surface.error);
+    }
+
+private:
+    void turnFrame() {
+        const core::Frame<Real> turned(frame.z, surface.tangent);
+        forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
+            if (!bsdf.isAnisotropic()) return;
+            frame.x = core::select(here, turned.x, frame.x);
+            frame.y = core::select(here, turned.y, frame.y);
+        });
+    }
+};
+
+// How much a sample counts that another way of sampling could have drawn, too: the balance heuristic (Veach 1997,
+// 9.2.2). Of no weight where neither can.
+template<class Real>
+Real balance(const Real& pdf, const Real& otherPdf) {
+    const Real sum = pdf + otherPdf;
+    return core::select(sum > Real(0), pdf / sum, Real(0));
+}
+
+template<class Real>
+class PathIntegrator final : public Integrator {
+public:
+    explicit PathIntegrator(const PathSetup& setup) : setup_(setup), scene_(setup_.scene), tracer_(setup_.scene) {}
+
+    void render(const View& view, const SampleBlock& block, Samples& samples,
+                const std::atomic<bool>& stop) const override {
+        Paths<Real> paths;
+        for (std::size_t next = 0; !stop.load(std::memory_order_relaxed);) {
+            // Lanes whose path has ended begin with the next sample.
+            if (!core::all(paths.alive)) next = start(paths, view, block, next, samples.rays);
+            const std::uint32_t before = core::bitsOf(paths.alive);
+            if (before == 0) return;
+            goOn(paths, samples);
+            store(paths, before & ~core::bitsOf(paths.alive), samples);
+        }
+    }
+
+private:
+    using Draw = core::Vec2<Real>;
+    using UInt = core::UInt<Real>;
+
+    static constexpr std::uint32_t allLanes = static_cast<std::uint32_t>((1ull << core::laneCount<Real>)-1);
+
+    // Which four random numbers serve what.
+    struct Numbers {
+        static constexpr std::uint32_t camera = 0;  // the place in the pixel, and that on the lens, or
+        static constexpr std::uint32_t lens = 1;  // where there is a lens, the first surface point's light
+        // The direction in which a path leaves its n-th surface point, and the light where it arrives.
+        static UInt way(const UInt& surfacePoints) { return surfacePoints + UInt(1); }
+        static UInt method(const UInt& surfacePoints) { return surfacePoints + UInt(1u << 16); }
+        // All but the first sample of the first light.
+        static UInt light(const UInt& surfacePoints, std::uint32_t number) {
+            return surfacePoints + UInt((2 + number) << 16);
+        }
+    };
+
+    // Begins paths in the lanes where none is on its way, as long as the block has samples left from `next` on.
+    std::size_t start(Paths<Real>& paths, const View& view, const SampleBlock& block, std::size_t next,
+                      RayCounts& rays) const {
+        const auto size = static_cast<std::size_t>(block.size()),
+                   perPixel = static_cast<std::size_t>(block.samplesPerPixel());
+        std::uint32_t begun = 0;
+        core::forEachLane(allLanes & ~core::bitsOf(paths.alive), [&](int lane) {
+            if (next == size) return;
+            const auto i = static_cast<std::size_t>(lane);
+            const int pixel = static_cast<int>(next / perPixel);
+            paths.x[i] = static_cast<std::uint32_t>(block.x(pixel));
+            paths.y[i] = static_cast<std::uint32_t>(block.y(pixel));
+            paths.sample[i] = static_cast<std::uint32_t>(block.first) + static_cast<std::uint32_t>(next % perPixel);
+            paths.slot[i] = next++;
+            begun |= 1u << lane;
+        });
+        if (begun == 0) return next;
+
+        const UInt x = core::loadUInt<Real>(paths.x.data()), y = core::loadUInt<Real>(paths.y.data());
+        const std::uint32_t seed =
+            mixed(static_cast<std::uint32_t>(view.seed) + mixed(static_cast<std::uint32_t>(view.seed >> 32)));
+        paths.random = {mixed(UInt(x + mixed(UInt(y + UInt(seed))))), core::loadUInt<Real>(paths.sample.data()),
+                        static_cast<int>(std::bit_width(static_cast<std::uint32_t>(block.end - 1)))};
+        const Point4<Real> u = paths.random.point(UInt(Numbers::camera));
+        const Draw inPixel = view.antialiasing ? Draw(u[0], u[1]) : Draw(Real(0.5f));
+        const Draw place = Draw(core::toReal(x), core::toReal(y)) + inPixel;
+        core::Ray<Real> ray;
+        Draw light(u[2], u[3]);
+        if (view.camera.hasLens()) {
+            ray = view.camera.ray(place, light);
+            const Point4<Real> more = paths.random.point(UInt(Numbers::lens));
+            light = Draw(more[2], more[3]);
+        } else {
+            ray = view.camera.ray(place);
+        }
+        const Mask<Real> here = core::maskOf<Real>(begun);
+        paths.ray.origin = core::select(here, ray.origin, paths.ray.origin);
+        paths.ray.direction = core::select(here, ray.direction, paths.ray.direction);
+        paths.ray.tMax = Real(core::infinity);
+        paths.radiance = core::select(here, Rgb<Real>(Real(0)), paths.radiance);
+        paths.throughput = core::select(here, Rgb<Real>(Real(1)), paths.throughput);
+        paths.surfacePoints = core::select(here, Real(0), paths.surfacePoints);
+        paths.pdfW = core::select(here, Real(core::infinity), paths.pdfW);
+        paths.lightDraw.x = core::select(here, light.x, paths.lightDraw.x);
+        paths.lightDraw.y = core::select(here, light.y, paths.lightDraw.y);
+        paths.alive = paths.alive | here;
+        rays.camera += static_cast<std::uint64_t>(std::popcount(begun));
+        if (scene_.hasDielectrics) startMedia(paths, begun, rays);
+        return next;
+    }
+
+    void startMedia(Paths<Real>& paths, std::uint32_t begun, RayCounts& rays) const {
+        const core::LaneArray<Real> x(paths.ray.origin.x), y(paths.ray.origin.y), z(paths.ray.origin.z);
+        core::forEachLane(begun, [&](int lane) {
+            const core::Vec3f origin(x[lane], y[lane], z[lane]);
+            Media& media = paths.media.change(lane);
+            media = setup_.eyeMedia;
+            if (origin != setup_.eye)
+                rays.camera +=
+                    static_cast<std::uint64_t>(goTo(media, setup_.eye, origin, scene_.scene, scene_.accelerator));
+        });
+        paths.media.update();
+    }
+
+    // Takes every path to its next surface point, and on from there: physics.md in a page.
+    void goOn(Paths<Real>& paths, Samples& samples) const {
+        RayCounts& rays = samples.rays;
+        // Find the nearest surface; a path that leaves the scene ends in the background.
+        const LaneSurface<Real> surface = tracer_.nearest(paths.ray, paths.alive, rays.traversal);
+        const Mask<Real> isMet = paths.alive & surface.isMet();
+        const ShadingPoints<Real> points(scene_, paths.ray, surface, isMet & (surface.light < Real(0)));
+        if (!samples.first.empty()) tellFirst(paths, points, isMet, samples);
+
+        // On the way there a medium absorbs.
+        if (scene_.hasDielectrics) {
+            meetFromInside(paths, points);
+            paths.throughput *= paths.media.transmittance(surface.t);
+        }
+        const Mask<Real> leaves = paths.alive & !isMet;
+        if (core::any(leaves)) {
+            const Rgb<Real> sky = paths.throughput * core::broadcast<Real>(setup_.background);
+            paths.radiance += core::select(leaves, sky, Rgb<Real>(Real(0)));
+        }
+
+        // A path ends at a light. Its back is dark.
+        const Mask<Real> hitsLight = isMet & (surface.light >= Real(0));
+        if (core::any(hitsLight)) {
+            const Rgb<Real> light = paths.throughput * emitted(paths, points, hitsLight);
+            paths.radiance += core::select(hitsLight, light, Rgb<Real>(Real(0)));
+        }
+        paths.alive = isMet & !hitsLight;
+        if (!core::any(paths.alive)) return;
+        paths.surfacePoints += Real(1);
+        const Mask<Real> isLast = paths.surfacePoints >= Real(static_cast<float>(setup_.pathLength));
+
+        // Add the light that comes straight from the lights.
+        paths.radiance +=
+            core::select(paths.alive, paths.throughput * directLight(paths, points, isLast, rays), Rgb<Real>(Real(0)));
+
+        // A path that is as long as it may be ends here.
+        if (setup_.ambient != core::Rgbf(0)) addAmbient(paths, points, isLast);
+        paths.alive = paths.alive & !isLast;
+        if (!core::any(paths.alive)) return;
+
+        // Go on in a direction drawn by the material.
+        const UInt number = core::toUInt(paths.surfacePoints);
+        const Point4<Real> u = paths.random.point(Numbers::way(number));
+        const Point4<Real> more = paths.random.point(Numbers::method(number));
+        const BsdfSample<Real> next = sampled(paths, points, {more[0], {u[0], u[1]}});
+        const Vec3<Real> direction = points.frame.toWorld(next.wi);
+        paths.lightDraw = Draw(u[2], u[3]);
+        paths.throughput *= next.weight;
+        paths.alive = paths.alive & next.valid & !points.isOnWrongSide(direction, next.wi);
+
+        // Of those that carry less than a third of the light that they could, end some at random, and let the others
+        // count for them (Russian roulette).
+        const Rgb<Real>& left = paths.throughput;
+        const Real survival = core::min(core::max(left.x, core::max(left.y, left.z)) * Real(3), Real(1));
+        paths.alive = paths.alive & (more[1] < survival);
+        paths.throughput /= core::select(paths.alive, survival, Real(1));
+
+        const Mask<Real> isThrough = next.wi.z < Real(0);
+        if (scene_.hasDielectrics) crossSurfaces(paths, points, isThrough);
+        paths.ray.origin = points.offset(core::select(isThrough, -points.normal, points.normal));
+        paths.ray.direction = direction;
+        const Real zeroOrAll = core::select(next.isLit, Real(0), Real(core::infinity));
+        paths.pdfW = core::select(next.isLit & !next.isDelta, next.pdfW, zeroOrAll);
+        count(rays, paths.alive, next);
+    }
+
+    void tellFirst(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isMet,
+                   Samples& samples) const {
+        const core::LaneArray<Real> t(points.surface.t), x(points.frame.z.x), y(points.frame.z.y), z(points.frame.z.z),
+            material(points.surface.material), light(points.surface.light);
+        const std::uint32_t first = core::bitsOf(isMet & (paths.surfacePoints == Real(0)));
+        core::forEachLane(first, [&](int lane) {
+            const auto& bsdf = scene_.scene.materials[static_cast<std::size_t>(material[lane])];
+            const core::Rgbf albedo =
+                light[lane] >= 0 ? core::Rgbf(0) : std::visit([](const auto& m) { return m.albedo(); }, bsdf);
+            samples.first[paths.slot[static_cast<std::size_t>(lane)]] = {t[lane], albedo, {x[lane], y[lane], z[lane]}};
+        });
+    }
+
+    // What the lights' fronts send along the rays that have met them, as far as it is for the rays to bring.
+    Rgb<Real> emitted(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& hitsLight) const {
+        Rgb<Real> sum(Real(0));
+        float index = 0;
+        for (const gr::AreaLight& light : scene_.scene.areaLights) {
+            const Mask<Real> here = hitsLight & points.fromOutside & (points.surface.light == Real(index++));
+            if (!core::any(here)) continue;
+            const Real lightPdfW =
+                light.pdfW(paths.ray.direction, points.surface.t) * Real(static_cast<float>(setup_.lightSamples));
+            const Real part = core::select(paths.pdfW < Real(core::infinity), balance(paths.pdfW, lightPdfW), Real(1));
+            sum += core::select(here, core::broadcast<Real>(light.radiance) * part, Rgb<Real>(Real(0)));
+        }
+        return sum;
+    }
+
+    Rgb<Real> directLight(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isLast,
+                          RayCounts& rays) const {
+        Rgb<Real> sum(Real(0));
+        const Vec3<Real> start = points.offset(points.normal);
+        const UInt number = core::toUInt(paths.surfacePoints);
+        const Real samples(static_cast<float>(setup_.lightSamples));
+        std::uint32_t drawn = 0;
+        for (const gr::AreaLight& light : scene_.scene.areaLights) {
+            for (int i = 0; i < setup_.lightSamples; ++i) {
+                Draw u = paths.lightDraw;
+                if (++drawn > 1) {
+                    const Point4<Real> more = paths.random.point(Numbers::light(number, drawn));
+                    u = Draw(more[0], more[1]);
+                }
+                const gr::LightSample<Real> sample = light.sample<Real>(points.surface.position, u);
+                // The path would find the light, too, if it went on; the last one does not.
+                const core::Ray<Real> shadow = scene_.scene.shadowRay(start, light, sample.target);
+                sum += reflected(paths, points, sample, isLast, shadow, rays) / samples;
+            }
+        }
+        for (const gr::PointLight& light : scene_.scene.pointLights) {
+            const gr::LightSample<Real> sample = light.sample<Real>(points.surface.position);
+            const core::Ray<Real> shadow{start, sample.target - start, Real(1)};
+            sum += reflected(paths, points, sample, isLast, shadow, rays);
+        }
+        return sum;
+    }
+
+    // What the surfaces reflect of a light sample towards the eye, black where something stands between.
+    Rgb<Real> reflected(const Paths<Real>& paths, const ShadingPoints<Real>& points,
+                        const gr::LightSample<Real>& sample, const Mask<Real>& isLast, const core::Ray<Real>& shadow,
+                        RayCounts& rays) const {
+        const Vec3<Real> wi = points.frame.toLocal(sample.wi);
+        Rgb<Real> f(Real(0));
+        Real pdfW(0);
+        points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
+            f = core::select(here, bsdf.eval(points.wo, wi), f);
+            pdfW = core::select(here, bsdf.template pdfW<Real, Hemisphere>(points.wo, wi), pdfW);
+        });
+        const Real samples(static_cast<float>(setup_.lightSamples));
+        const Real part =
+            core::select(isLast | !(sample.pdfW > Real(0)), Real(1), balance(sample.pdfW * samples, pdfW));
+        const Rgb<Real> light = f * sample.weight * part;
+        const Mask<Real> shines =
+            paths.alive & (light.x + light.y + light.z > Real(0)) & !points.isOnWrongSide(sample.wi, wi);
+        if (!core::any(shines)) return Rgb<Real>(Real(0));
+        rays.shadow += static_cast<std::uint64_t>(core::countOf(shines));
+        const Mask<Real> isDark = tracer_.occluded(shadow, shines, rays.traversal);
+        const Rgb<Real> arriving =
+            scene_.hasDielectrics ? light * paths.media.transmittance(glm::length(shadow.direction)) : light;
+        return core::select(shines & !isDark, arriving, Rgb<Real>(Real(0)));
+    }
+
+    void addAmbient(Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isLast) const {
+        points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
+            const Rgb<Real> light = core::broadcast<Real>(setup_.ambient * bsdf.ambientReflectance());
+            paths.radiance += core::select(here & paths.alive & isLast, paths.throughput * light, Rgb<Real>(Real(0)));
+        });
+    }
+
+    BsdfSample<Real> sampled(const Paths<Real>& paths, const ShadingPoints<Real>& points,
+                             const materials::BsdfDraw<Real>& u) const {
+        const Real indexBeyond = scene_.hasDielectrics ? indicesBeyond(paths, points) : Real(1);
+        BsdfSample<Real> next{{Real(0), Real(0), Real(1)},
+                              Rgb<Real>(Real(0)),
+                              Real(0),
+                              none<Real>(),
+                              none<Real>(),
+                              none<Real>(),
+                              none<Real>()};
+        points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
+            next = select<Real>(here, bsdf.template sample<Real, Hemisphere>(points.wo, u, indexBeyond), next);
+        });
+        return next;
+    }
+
+    // Calls f(lane, dielectric) for the lanes of a mask where there is one.
+    template<class F>
+    void forEachDielectric(const ShadingPoints<Real>& points, std::uint32_t lanes, F&& f) const {
+        const core::LaneArray<Real> material(points.surface.material);
+        core::forEachLane(lanes & points.lanes, [&](int lane) {
+            const auto& bsdf = scene_.scene.materials[static_cast<std::size_t>(material[lane])];
+            if (const auto* dielectric = std::get_if<materials::Dielectric>(&bsdf)) f(lane, *dielectric);
+        });
+    }
+
+    void meetFromInside(Paths<Real>& paths, const ShadingPoints<Real>& points) const {
+        forEachDielectric(points, ~core::bitsOf(points.fromOutside), [&](int lane, const auto& dielectric) {
+            paths.media.change(lane).meetFromInside(dielectric);
+        });
+        paths.media.update();
+    }
+
+    // Of refraction, beyond the surface over this side of it.
+    Real indicesBeyond(const Paths<Real>& paths, const ShadingPoints<Real>& points) const {
+        core::LaneArray<Real> index(Real(1));
+        const std::uint32_t fromOutside = core::bitsOf(points.fromOutside);
+        forEachDielectric(points, allLanes, [&](int lane, const auto& dielectric) {
+            const Media& media = paths.media.at(lane);
+            index[lane] = media.indexBeyond(dielectric, fromOutside >> lane & 1) / media.index();
+        });
+        return index.real();
+    }
+
+    void crossSurfaces(Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isThrough) const {
+        const std::uint32_t fromOutside = core::bitsOf(points.fromOutside);
+        forEachDielectric(points, core::bitsOf(isThrough & paths.alive), [&](int lane, const auto& dielectric) {
+            paths.media.change(lane).cross(dielectric, fromOutside >> lane & 1);
+        });
+        paths.media.update();
+    }
+
+    static void count(RayCounts& rays, const Mask<Real>& alive, const BsdfSample<Real>& next) {
+        const auto all = static_cast<std::uint64_t>(core::countOf(alive));
+        const auto through = static_cast<std::uint64_t>(core::countOf(alive & (next.wi.z < Real(0))));
+        const auto diffuse = static_cast<std::uint64_t>(core::countOf(alive & !(next.wi.z < Real(0)) & next.isDiffuse));
+        rays.refractive += through;
+        rays.diffuse += diffuse;
+        rays.reflective += all - through - diffuse;
+    }
+
+    // The radiance of paths that have ended.
+    static void store(const Paths<Real>& paths, std::uint32_t ended, Samples& samples) {
+        if (ended == 0) return;
+        const core::LaneArray<Real> r(paths.radiance.x), g(paths.radiance.y), b(paths.radiance.z);
+        core::forEachLane(ended, [&](int lane) {
+            samples.radiance[paths.slot[static_cast<std::size_t>(lane)]] = {r[lane], g[lane], b[lane]};
+        });
+    }
+
+    const PathSetup setup_;
+    const PathScene& scene_;
+    LaneTracer<Real> tracer_;
+};
+
+}  // namespace
+
+}  // namespace render
+
+// The build says for how many lanes, and under which name.
+render::Integrator* GRSH_PATH_INTEGRATOR(const render::PathSetup& setup) {
+    return new render::PathIntegrator<GRSH_REAL>(setup);
+}
