@@ -48,19 +48,21 @@ private:
         Real t, u, v;
         Mask isInside;
     };
-    // A face is taken a hair too large, so that nothing slips through between two of them.
+    // A face is taken a hair too large, by what rounding may move the place, which is the more the flatter the ray
+    // comes: nothing slips through between two of them.
     template<bool isTriangle>
     static Crossing cross(const core::Ray<Real>& ray, const Face& face) {
-        constexpr float hair = 0x1p-20f;
         const Vec3 way = lanes(face.corner) - ray.origin;
         const Vec3 normal = lanes(face.normal);
-        const Real t = glm::dot(normal, way) / glm::dot(normal, ray.direction);
+        const Real inverse = Real(1) / glm::dot(normal, ray.direction);
+        const Real t = glm::dot(normal, way) * inverse;
         const Vec3 inPlane = ray.direction * t - way;
         const Real u = glm::dot(lanes(face.toU), inPlane), v = glm::dot(lanes(face.toV), inPlane);
-        const Real least(-hair), most(1 + hair);
-        const Mask inside =
-            isTriangle ? (u >= least) & (v >= least) & (u + v <= most)
-                       : (core::max(core::abs(u - Real(0.5f)), core::abs(v - Real(0.5f))) <= Real(0.5f + hair));
+        const Real length = core::abs(way.x) + core::abs(way.y) + core::abs(way.z);
+        const Real hair = (length * Real(face.slack) + Real(0x1p-19f)) * core::abs(inverse);
+        const Real half(0.5f);
+        const Mask inside = isTriangle ? (core::min(u, v) >= -hair) & (u + v <= Real(1) + hair)
+                                       : core::max(core::abs(u - half), core::abs(v - half)) <= half + hair;
         return {t, u, v, inside};
     }
 
