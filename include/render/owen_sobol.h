@@ -113,9 +113,10 @@ public:
                 x[d] = x[d] ^ (isSet & UInt(sobolColumns[d][static_cast<std::size_t>(bit)]));
         }
         Point4<Real> point;
-        constexpr std::array<std::uint32_t, 4> odd{0x85ebca6b, 0xc2b2ae35, 0x27d4eb2f, 0x165667b1};
+        // Seeds that shared but their last bits would turn the first bits of all four together.
+        constexpr std::array<std::uint32_t, 4> other{0x85ebca6b, 0xc2b2ae35, 0x27d4eb2f, 0x165667b1};
         for (std::size_t d = 0; d < 4; ++d) {
-            const UInt bits = reversedBits(owenScrambled(x[d], UInt(seed * UInt(odd[d]))));
+            const UInt bits = reversedBits(owenScrambled(x[d], mixed(UInt(seed + UInt(other[d])))));
             point[d] = core::toReal(UInt(bits >> 8)) * Real(0x1p-24f);
         }
         return point;
