@@ -15,8 +15,8 @@ namespace grsh {
 // Draws nothing when standard error is no terminal.
 class ProgressLine {
 public:
-    // title: what is rendered. samples: how many there will be in all.
-    ProgressLine(std::string title, const render::Progress& progress, std::uint64_t samples);
+    // title: what is rendered.
+    ProgressLine(std::string title, const render::Progress& progress);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
@@ -27,7 +27,6 @@ private:
 
     std::string title_;
     const render::Progress& progress_;
-    std::uint64_t samples_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
     std::condition_variable changed_;
@@ -35,8 +34,9 @@ private:
     std::thread thread_;
 };
 
-// The line's text: done and samples are paths, seconds is since the start. At most `columns` letters.
-std::string progressText(const std::string& title, std::uint64_t done, std::uint64_t samples, std::uint64_t rays,
+// The line's text: done and expected are paths, expected 0 where nobody knows; seconds is since the start. At most
+// `columns` letters.
+std::string progressText(const std::string& title, std::uint64_t done, std::uint64_t expected, std::uint64_t rays,
                          double seconds, std::size_t columns);
 
 // 0.42 s, 12 s, 3 min 05 s, 2 h 07 min

@@ -19,4 +19,9 @@ Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file);
 // A line on standard error.
 void printSummary(const RenderReport& report, const RenderJob& job);
 
+// The name of the option that ended a render.
+std::string stoppedText(render::StoppedBy stoppedBy);
+// An estimated relative error, as exactly as it is known.
+std::string noiseText(double noise);
+
 }  // namespace grsh

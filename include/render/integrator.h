@@ -64,7 +64,7 @@ struct View {
     Camera camera;
     bool antialiasing;  // all over the pixel, or through its centre
     std::uint64_t seed;
-    int samplesPerPixel;  // the most there may be
+    int samplesPerPixel;  // what an even spread over the pixel counts on; 1 where nobody knows how many there will be
 };
 
 class Integrator {

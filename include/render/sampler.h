@@ -39,14 +39,17 @@ private:
 };
 
 // One place a sample in the unit square: sample i of n falls in a cell of its own in the grid of n cells that is as
-// near to square as n's divisors allow.
+// near to square as n's divisors allow. The samples go round the cells in steps of about n / golden ratio, so that any
+// part of them in a row is spread over the whole square.
 class PixelGrid {
 public:
     explicit PixelGrid(int samples);
     // u: uniform in the unit square.
     core::Vec2f place(int sample, const core::Vec2f& u) const {
-        const float x = (static_cast<float>(sample % columns_) + u.x) * cellWidth_;
-        const float y = (static_cast<float>(sample / columns_) + u.y) * cellHeight_;
+        const std::int64_t cells = std::int64_t{columns_} * rows_;
+        const int cell = static_cast<int>(sample * stride_ % cells);
+        const float x = (static_cast<float>(cell % columns_) + u.x) * cellWidth_;
+        const float y = (static_cast<float>(cell / columns_) + u.y) * cellHeight_;
         return {x, y};
     }
     int columns() const { return columns_; }
@@ -54,6 +57,7 @@ public:
 
 private:
     int columns_, rows_;
+    std::int64_t stride_;  // has no divisor in common with the number of cells, so that each has its turn
     float cellWidth_, cellHeight_;
 };
 

@@ -15,7 +15,9 @@ struct RenderSettings {
     double aperture = 0.1;  // the lens' radius
     std::optional<int> startLine;  // 0 is the top; both lines are rendered
     std::optional<int> stopLine;
-    int samplesPerPixel = 16;
+    std::optional<int> samplesPerPixel;  // see mostSamples()
+    double noise = 0;  // the estimated relative error to go on to; 0: not asked for
+    double time = 0;  // seconds to go on for; 0: not asked for
     int samplesPerLightSource = 1;
     core::Word integrator = "path";
     std::uint64_t seed = 0;
@@ -25,6 +27,11 @@ struct RenderSettings {
     core::Word lanes = "auto";
     int threads = 0;  // 0: all cores
     bool progress = true;
+
+    // Whether how many samples a pixel gets is found out while rendering.
+    bool isOpenEnded() const { return noise > 0 || time > 0; }
+    // How many samples a pixel gets at the most; where it is not open-ended, just so many.
+    int mostSamples() const { return samplesPerPixel.value_or(isOpenEnded() ? 1 << 20 : 16); }
 
     static std::span<const core::OptionRow<RenderSettings>> options();
 };

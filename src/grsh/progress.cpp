@@ -41,25 +41,27 @@ std::string rateText(std::uint64_t rays, double seconds) {
     return format("%.*f %s", decimals, shown, isMega ? "Mrays/s" : "krays/s");
 }
 
-std::string progressText(const std::string& title, std::uint64_t done, std::uint64_t samples, std::uint64_t rays,
+std::string progressText(const std::string& title, std::uint64_t done, std::uint64_t expected, std::uint64_t rays,
                          double seconds, std::size_t columns) {
     constexpr int barLength = 16;
-    const double part = samples == 0 ? 1 : static_cast<double>(done) / static_cast<double>(samples);
+    const double part = expected == 0 ? 0 : std::min(static_cast<double>(done) / static_cast<double>(expected), 1.0);
     const int filled = static_cast<int>(part * barLength);
     std::string line = title + " [" + std::string(static_cast<std::size_t>(filled), '#') +
                        std::string(static_cast<std::size_t>(barLength - filled), '.') + "] " +
                        format("%3.0f %%", std::floor(100 * part));
     // What is most wanted comes first: a narrow terminal cuts the rest off.
-    if (done > 0) line += "  " + durationText(seconds * (1 - part) / part) + " left";
+    if (part > 0) line += "  " + durationText(seconds * (1 - part) / part) + " left";
     line += "  " + rateText(rays, seconds);
-    line += format("  %.3g of %.3g Msamples", static_cast<double>(done) * 1e-6, static_cast<double>(samples) * 1e-6);
+    line += format("  %.3g", static_cast<double>(done) * 1e-6);
+    if (expected > 0) line += format(" of %.3g", static_cast<double>(std::max(done, expected)) * 1e-6);
+    line += " Msamples";
     // The last column stays free: some terminals go on to the next line once it is written.
     line.resize(std::min(line.size(), columns - 1));
     return line;
 }
 
-ProgressLine::ProgressLine(std::string title, const render::Progress& progress, std::uint64_t samples)
-    : title_(std::move(title)), progress_(progress), samples_(samples) {
+ProgressLine::ProgressLine(std::string title, const render::Progress& progress)
+    : title_(std::move(title)), progress_(progress) {
     if (isatty(STDERR_FILENO)) thread_ = std::thread([this] { drawUntilDone(); });
 }
 
@@ -81,8 +83,8 @@ void ProgressLine::drawUntilDone() {
 
 void ProgressLine::draw() const {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    const std::string line =
-        progressText(title_, progress_.samples, samples_, progress_.rays, passed.count(), terminalColumns());
+    const std::string line = progressText(title_, progress_.samples, progress_.expectedSamples, progress_.rays,
+                                          passed.count(), terminalColumns());
     std::fprintf(stderr, "\r%s\033[K", line.c_str());
     std::fflush(stderr);
 }

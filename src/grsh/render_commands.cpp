@@ -9,6 +9,7 @@
 #include "render/image_file.h"
 #include "render/render.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -22,7 +23,7 @@ std::string scriptName(Tcl_Interp* interp) {
 }
 
 // What made the picture; nothing that another run of the same render would have different.
-render::Metadata metadataOf(const RenderJob& job, Tcl_Interp* interp) {
+render::Metadata metadataOf(const RenderJob& job, const render::RenderResult& result, Tcl_Interp* interp) {
     const auto vector = [](const glm::dvec3& v) {
         return core::numberText(v.x) + " " + core::numberText(v.y) + " " + core::numberText(v.z);
     };
@@ -42,8 +43,13 @@ render::Metadata metadataOf(const RenderJob& job, Tcl_Interp* interp) {
     render::RenderSettings resolved = job.settings;
     resolved.startLine = job.startLine();
     resolved.stopLine = job.stopLine();
+    resolved.samplesPerPixel = result.samplesPerPixel;
     for (const auto& row : render::RenderSettings::options())
         if (row.inPicture) metadata.emplace_back("grsh:" + std::string(row.name), core::optionText(row, resolved));
+    if (job.settings.isOpenEnded()) {
+        metadata.emplace_back("grsh:stopped", stoppedText(result.stoppedBy));
+        if (result.noise) metadata.emplace_back("grsh:noise", noiseText(*result.noise));
+    }
     return metadata;
 }
 
@@ -59,14 +65,30 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Whether a path may find any light at all.
+bool isLit(const RenderJob& job, const gr::Scene& scene) {
+    const auto shines = [](const core::Rgbf& light) { return light != core::Rgbf(0); };
+    return shines(job.settings.background) || shines(job.ambient) ||
+           std::any_of(scene.areaLights.begin(), scene.areaLights.end(),
+                       [&](const gr::AreaLight& light) { return shines(light.radiance); }) ||
+           std::any_of(scene.pointLights.begin(), scene.pointLights.end(),
+                       [&](const gr::PointLight& light) { return shines(light.intensity); });
+}
+
+// What came out otherwise than it was asked for.
+void warnOfNoise(Call& call, const RenderJob& job, const render::RenderResult& result) {
+    if (job.settings.noise == 0 || result.stoppedBy != render::StoppedBy::samplesPerPixel) return;
+    warn(call, "gr_render: " + job.file + ": noise " + core::numberText(job.settings.noise) + " is not reached with " +
+                   std::to_string(result.samplesPerPixel) + " samples per pixel, " +
+                   (result.noise ? "but " + noiseText(*result.noise) : "too few to tell what is"));
+}
+
 render::RenderResult renderFilm(const RenderJob& job, const render::Integrator& integrator, render::Film& film) {
     render::Camera camera(job.eye, job.view, job.up, job.fieldOfView, job.width, job.height);
     if (job.settings.depthOfField) camera.setLens(job.settings.aperture, job.settings.focalDistance);
     render::Progress progress;
-    const std::uint64_t samples = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.lines()) *
-                                  static_cast<std::uint64_t>(job.settings.samplesPerPixel);
     std::optional<ProgressLine> line;
-    if (job.settings.progress) line.emplace(job.file, progress, samples);
+    if (job.settings.progress) line.emplace(job.file, progress);
     return render::render(integrator, camera, job.settings, film, progress, interrupted());
 }
 
@@ -78,6 +100,10 @@ Tcl_Obj* renderCommand(Call& call) {
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
     const render::ImageFile file(job.file, job.layers());
+    if (!isLit(job, scene))
+        warn(call, "gr_render: " + job.file +
+                       ": nothing shines, the picture is black: no lamp and no light named has " +
+                       "radiance, and background and ambient are black");
 
     // Render.
     const auto buildStart = std::chrono::steady_clock::now();
@@ -92,9 +118,12 @@ Tcl_Obj* renderCommand(Call& call) {
     if (!result.finished) throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");
 
     // Write the picture, and say what was done.
-    file.write(film, job.settings.exposure, metadataOf(job, call.interp));
+    file.write(film, job.settings.exposure, metadataOf(job, result, call.interp));
+    warnOfNoise(call, job, result);
+    const std::size_t pictureBytes =
+        film.bytes() + static_cast<std::size_t>(render::sumBytesFor(job.settings, job.width, job.lines()));
     const RenderReport report{result,        *accelerator, buildSeconds, renderSeconds, secondsSince(start),
-                              scene.bytes(), film.bytes()};
+                              scene.bytes(), pictureBytes};
     if (job.settings.progress) printSummary(report, job);
     call.session.lastRender = hold(reportDict(report, call.words.object(1)));
     return call.session.lastRender.get();

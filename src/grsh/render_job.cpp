@@ -4,6 +4,7 @@
 #include "grsh/option_words.h"
 #include "render/film.h"
 #include "render/lanes_choice.h"
+#include "render/render.h"
 
 namespace grsh {
 namespace {
@@ -71,7 +72,8 @@ void checkLines(const RenderJob& job) {
 }
 
 void checkMemory(const RenderJob& job) {
-    const double needed = render::Film::bytesFor(job.width, job.lines(), job.layers());
+    const double needed = render::Film::bytesFor(job.width, job.lines(), job.layers()) +
+                          render::sumBytesFor(job.settings, job.width, job.lines());
     const double available = static_cast<double>(core::availableMemory());
     if (needed > available)
         throw core::Error("MEMORY", "PICTURE", job.file,

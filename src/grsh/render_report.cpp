@@ -35,12 +35,32 @@ std::string acceleratorText(const gr::Accelerator& accelerator) {
 
 }  // namespace
 
+std::string stoppedText(render::StoppedBy stoppedBy) {
+    switch (stoppedBy) {
+        case render::StoppedBy::noise:
+            return "noise";
+        case render::StoppedBy::time:
+            return "time";
+        case render::StoppedBy::samplesPerPixel:
+            break;
+    }
+    return "samplesperpixel";
+}
+
+std::string noiseText(double noise) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", noise);
+    return text;
+}
+
 Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
     const render::RenderResult& result = report.result;
     const std::size_t acceleratorBytes = report.accelerator.bytes();
     return dictOf({{"file", file},
                    {"seconds", Tcl_NewDoubleObj(report.seconds)},
                    {"samples", countObject(result.samples)},
+                   {"samplesperpixel", Tcl_NewIntObj(result.samplesPerPixel)},
+                   {"noise", result.noise ? Tcl_NewDoubleObj(*result.noise) : Tcl_NewObj()},
                    {"rays", raysDict(result.rays)},
                    {"tests", perRay(result.rays.traversal.tests, result.rays)},
                    {"cells", perRay(result.rays.traversal.cells, result.rays)},
@@ -53,16 +73,19 @@ Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
                                       {"accelerator", countObject(acceleratorBytes)},
                                       {"picture", countObject(report.pictureBytes)}})},
                    {"threads", Tcl_NewIntObj(result.threads)},
-                   {"stopped", textObject("samplesperpixel")},
+                   {"stopped", textObject(stoppedText(result.stoppedBy))},
                    {"dropped", countObject(result.droppedSamples)}});
 }
 
 void printSummary(const RenderReport& report, const RenderJob& job) {
+    const render::RenderResult& result = report.result;
     std::string line = job.file + ": " + std::to_string(job.width) + " x " + std::to_string(job.lines()) + " pixels, " +
-                       std::to_string(job.settings.samplesPerPixel) + " samples each, " + durationText(report.seconds) +
-                       ", " + rateText(report.result.rays.total(), report.seconds);
-    if (report.result.droppedSamples > 0)
-        line += ", " + std::to_string(report.result.droppedSamples) + " samples dropped (not finite)";
+                       std::to_string(result.samplesPerPixel) + " samples each, ";
+    if (result.noise) line += "relative error " + noiseText(*result.noise) + ", ";
+    if (job.settings.isOpenEnded()) line += "stopped by " + stoppedText(result.stoppedBy) + ", ";
+    line += durationText(report.seconds) + ", " + rateText(result.rays.total(), report.seconds);
+    if (result.droppedSamples > 0)
+        line += ", " + std::to_string(result.droppedSamples) + " samples dropped (not finite)";
     line += ", " + acceleratorText(report.accelerator);
     std::fprintf(stderr, "%s\n", line.c_str());
 }

@@ -1,138 +1,174 @@
 #include "render/render.h"
 
 #include "core/parallel.h"
-#include "render/pixel_layers.h"
+#include "render/alarm.h"
+#include "render/passes.h"
+#include "render/tile.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <mutex>
 
 namespace render {
 namespace {
 
-constexpr int tileSize = 16;  // pixels: small enough that the last tiles keep every thread busy
+using Clock = std::chrono::steady_clock;
 
-// Work done since progress was last told of it: shared counters are touched now and then only.
-class Tally {
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<Tile> tilesOf(const Film& film) {
+    std::vector<Tile> tiles;
+    const int right = film.width(), bottom = film.startLine() + film.lines();
+    for (int y = film.startLine(); y < bottom; y += tileSize)
+        for (int x = 0; x < right; x += tileSize)
+            tiles.push_back({x, y, std::min(x + tileSize, right), std::min(y + tileSize, bottom)});
+    return tiles;
+}
+
+class PictureRenderer {
 public:
-    explicit Tally(Progress& progress) : progress_(progress) {}
+    PictureRenderer(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
+                    Progress& progress, const std::atomic<bool>& stop)
+        : integrator_(integrator),
+          // A grid over the pixel that is left half empty would favour a part of it.
+          view_{camera, settings.antialiasing, settings.seed, settings.isOpenEnded() ? 1 : settings.mostSamples()},
+          settings_(settings),
+          film_(film),
+          progress_(progress),
+          stop_(stop),
+          tiles_(tilesOf(film)) {
+        result_.threads = core::threadCount(settings.threads);
+    }
 
-    RayCounts rays;
-    std::uint64_t samples = 0;
-    std::uint64_t dropped = 0;
-
-    void count(std::uint64_t more) {
-        samples += more;
-        tell();
+    RenderResult render() {
+        if (settings_.isOpenEnded())
+            renderPasses();
+        else
+            renderAtOnce();
+        result_.finished = !stop_.load();
+        return result_;
     }
 
 private:
-    void tell() {
-        progress_.samples.fetch_add(samples - toldSamples_, std::memory_order_relaxed);
-        progress_.rays.fetch_add(rays.total() - toldRays_, std::memory_order_relaxed);
-        toldSamples_ = samples;
-        toldRays_ = rays.total();
+    // Each tile to its end, one after the other: what only it needs is forgotten then.
+    void renderAtOnce() {
+        expect(settings_.mostSamples());
+        pass(settings_.mostSamples(), stop_, [&](Tile& tile) {
+            tile.store(film_);
+            tile.pixels = std::vector<PixelSum>();
+            tile.layers = std::vector<PixelLayers>();
+        });
+        if (!stop_) estimate();
     }
 
-    Progress& progress_;
-    std::uint64_t toldSamples_ = 0;
-    std::uint64_t toldRays_ = 0;
-};
-
-// One thread's work on one tile of the picture.
-class TileRenderer {
-public:
-    TileRenderer(const Integrator& integrator, const View& view, Film& film, const std::atomic<bool>& stop,
-                 Progress& progress)
-        : tally(progress), integrator_(integrator), view_(view), film_(film), stop_(stop) {}
-
-    Tally tally;
-
-    // A few samples of each pixel at a time, which fit in the processor's own memory.
-    void render(int left, int top) {
-        SampleBlock block{left,
-                          top,
-                          std::min(left + tileSize, film_.width()),
-                          std::min(top + tileSize, film_.startLine() + film_.lines()),
-                          0,
-                          0};
-        pixels_.assign(static_cast<std::size_t>(block.pixels()), {});
-        for (; block.first < view_.samplesPerPixel; block.first = block.end) {
-            block.end = block.first + std::min(samplesAtOnce, view_.samplesPerPixel - block.first);
-            samples_.radiance.resize(static_cast<std::size_t>(block.size()));
-            if (film_.hasLayers()) samples_.first.assign(samples_.radiance.size(), {});
-            integrator_.render(view_, block, samples_, stop_);
-            if (stop_.load(std::memory_order_relaxed)) return;
-            add(block);
-        }
-        store(block);
-    }
-
-private:
-    static constexpr int samplesAtOnce = 8;
-
-    // The mean of the samples that are finite; in double, or a million of them would drown the last.
-    struct Pixel {
-        glm::dvec3 sum{0};
-        int kept = 0;
-        PixelLayers layers;
-    };
-
-    void add(const SampleBlock& block) {
-        std::size_t i = 0;
-        for (Pixel& pixel : pixels_)
-            for (int sample = block.first; sample < block.end; ++sample, ++i) {
-                const core::Rgbf& radiance = samples_.radiance[i];
-                if (core::isFinite(radiance)) {
-                    pixel.sum += glm::dvec3(radiance);
-                    ++pixel.kept;
-                    if (film_.hasLayers()) pixel.layers.add(radiance, samples_.first[i]);
-                } else {
-                    ++tally.dropped;
-                }
+    // The whole picture again and again, each time with more samples.
+    void renderPasses() {
+        const int most = settings_.mostSamples();
+        const Clock::time_point start = Clock::now();
+        const Alarm alarm(settings_.time, stop_);
+        double secondsPerSample = 0;
+        while (!isDone(most, secondsSince(start))) {
+            int end = std::min(nextPass(result_.samplesPerPixel), most);
+            const double passStart = secondsSince(start);
+            if (settings_.time > 0 && secondsPerSample > 0) {
+                const double inTime = std::max((settings_.time - passStart) / secondsPerSample, 1.);
+                end = std::min<double>(end, result_.samplesPerPixel + std::floor(inTime));
             }
-        tally.rays += samples_.rays;
-        samples_.rays = {};
-        tally.count(static_cast<std::uint64_t>(block.size()));
+            const int first = result_.samplesPerPixel;
+            // A picture without any sample is none.
+            pass(end, first == 0 ? stop_ : alarm.flag(), [](Tile&) {});
+            if (stop_) return;
+            estimate();
+            secondsPerSample = (secondsSince(start) - passStart) / (end - first);
+            expect(mostExpected(most, secondsSince(start)));
+        }
+        for (const Tile& tile : tiles_) tile.store(film_);
     }
 
-    void store(const SampleBlock& block) const {
-        for (int i = 0; i < block.pixels(); ++i) {
-            const Pixel& pixel = pixels_[static_cast<std::size_t>(i)];
-            film_.at(block.x(i), block.y(i)) =
-                pixel.kept == 0 ? core::Rgbf(0) : core::Rgbf(pixel.sum / static_cast<double>(pixel.kept));
-            if (film_.hasLayers()) pixel.layers.store(film_, block.x(i), block.y(i));
-        }
+    // Whether it is enough, and why.
+    bool isDone(int most, double seconds) {
+        if (result_.samplesPerPixel == 0) return false;
+        if (settings_.noise > 0 && result_.noise && *result_.noise <= settings_.noise)
+            result_.stoppedBy = StoppedBy::noise;
+        else if (settings_.time > 0 && seconds >= settings_.time)
+            result_.stoppedBy = StoppedBy::time;
+        else if (result_.samplesPerPixel < most)
+            return false;
+        return true;
     }
+
+    template<class Finish>
+    void pass(int samples, const std::atomic<bool>& stop, const Finish& finish) {
+        core::parallelFor(static_cast<int>(tiles_.size()), result_.threads, [&](int i) {
+            if (stop.load(std::memory_order_relaxed)) return;
+            Tile& tile = tiles_[static_cast<std::size_t>(i)];
+            TileRenderer renderer(integrator_, view_, film_.hasLayers(), progress_);
+            renderer.render(tile, samples, stop);
+            if (tile.samples == samples) finish(tile);
+            const std::lock_guard lock(resultMutex_);
+            result_.rays += renderer.tally.rays;
+            result_.samples += renderer.tally.samples;
+            result_.droppedSamples += renderer.tally.dropped;
+        });
+    }
+
+    // How many samples each pixel has, and how noisy that is. Tiles are added in their order, for the sum to be the
+    // same to the bit on any number of threads.
+    void estimate() {
+        const auto [least, most] = std::minmax_element(
+            tiles_.begin(), tiles_.end(), [](const Tile& a, const Tile& b) { return a.samples < b.samples; });
+        result_.samplesPerPixel = least->samples;
+        std::vector<NoiseStep> steps;
+        NoiseStep rest;
+        for (const Tile& tile : tiles_) {
+            steps.resize(std::max(steps.size(), tile.steps.size()));
+            for (std::size_t i = 0; i < tile.steps.size(); ++i) steps[i] += tile.steps[i];
+            rest += tile.rest;
+        }
+        const bool isEven = least->samples == most->samples;
+        estimate_ = estimateNoise(steps, isEven ? std::optional(rest) : std::nullopt, least->samples, pixels());
+        if (estimate_) result_.noise = estimate_->error;
+    }
+
+    double mostExpected(double most, double seconds) const {
+        const int samples = result_.samplesPerPixel;
+        if (settings_.noise > 0 && estimate_) most = std::min(most, estimate_->samplesFor(settings_.noise, samples));
+        if (settings_.time > 0) most = std::min(most, samples * settings_.time / seconds);
+        return most;
+    }
+
+    void expect(double samplesPerPixel) {
+        progress_.expectedSamples = static_cast<std::uint64_t>(samplesPerPixel * pixels());
+    }
+
+    double pixels() const { return static_cast<double>(film_.width()) * film_.lines(); }
 
     const Integrator& integrator_;
-    const View& view_;
+    const View view_;
+    const RenderSettings& settings_;
     Film& film_;
+    Progress& progress_;
     const std::atomic<bool>& stop_;
-    Samples samples_;
-    std::vector<Pixel> pixels_;
+    std::vector<Tile> tiles_;
+    std::optional<NoiseEstimate> estimate_;
+    RenderResult result_;
+    std::mutex resultMutex_;
 };
 
 }  // namespace
 
+double sumBytesFor(const RenderSettings& settings, int width, int lines) {
+    if (!settings.isOpenEnded()) return 0;
+    const std::size_t bytesPerPixel = sizeof(PixelSum) + (settings.layers.empty() ? 0 : sizeof(PixelLayers));
+    return static_cast<double>(bytesPerPixel) * width * lines;
+}
+
 RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
                     Progress& progress, const std::atomic<bool>& stop) {
-    const View view{camera, settings.antialiasing, settings.seed, settings.samplesPerPixel};
-    const int columns = (film.width() + tileSize - 1) / tileSize;
-    const int rows = (film.lines() + tileSize - 1) / tileSize;
-    RenderResult result;
-    result.threads = core::threadCount(settings.threads);
-    std::mutex resultMutex;
-
-    core::parallelFor(rows * columns, result.threads, [&](int tile) {
-        if (stop.load(std::memory_order_relaxed)) return;
-        TileRenderer renderer(integrator, view, film, stop, progress);
-        renderer.render(tile % columns * tileSize, film.startLine() + tile / columns * tileSize);
-        const std::lock_guard lock(resultMutex);
-        result.rays += renderer.tally.rays;
-        result.samples += renderer.tally.samples;
-        result.droppedSamples += renderer.tally.dropped;
-    });
-    result.finished = !stop.load();
-    return result;
+    return PictureRenderer(integrator, camera, settings, film, progress, stop).render();
 }
 
 }  // namespace render

@@ -15,7 +15,7 @@ constexpr core::Range line{.least = 0, .most = 999999};
 
 using S = RenderSettings;
 
-const std::array<core::OptionRow<S>, 19> rows{{
+const std::array<core::OptionRow<S>, 21> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
      .words = gr::acceleratorNames(),
@@ -56,7 +56,22 @@ const std::array<core::OptionRow<S>, 19> rows{{
      .member = &S::samplesPerPixel,
      .range = atLeastOne,
      .unit = "samples",
-     .help = "paths from the eye through each pixel"},
+     .defaultText = "16; with noise or time 1048576",
+     .help = "paths from the eye through each pixel; with noise or time the most there may be"},
+    {.name = "noise",
+     .member = &S::noise,
+     .range = {.least = 0, .most = 1, .leastIncluded = false},
+     .unit = "relative error",
+     .defaultText = "none",
+     .help = "goes on until the picture's estimated relative error is at most this",
+     .inPicture = false},
+    {.name = "time",
+     .member = &S::time,
+     .range = {.least = 0, .most = 1e9, .leastIncluded = false},
+     .unit = "seconds",
+     .defaultText = "none",
+     .help = "goes on until it has rendered for so long; each pixel gets one sample at least",
+     .inPicture = false},
     {.name = "samplesperlightsource",
      .member = &S::samplesPerLightSource,
      .range = atLeastOne,

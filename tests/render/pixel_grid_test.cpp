@@ -50,10 +50,31 @@ TEST(PixelGrid, FillsThePixel) {
     EXPECT_NEAR(grid.place(0, {1, 1}).x, 1 / 3., 1e-7);
     EXPECT_NEAR(grid.place(0, {1, 1}).y, 1 / 2., 1e-7);
     for (const int samples : {1, 3, 6, 49, 1000, 65537}) {
-        const core::Vec2f last = PixelGrid(samples).place(samples - 1, core::Vec2f(1 - 0x1p-24f));
+        const PixelGrid grid(samples);
+        core::Vec2f last(0);
+        for (int i = 0; i < samples; ++i) last = glm::max(last, grid.place(i, core::Vec2f(1 - 0x1p-24f)));
         for (const float coordinate : {last.x, last.y}) {
             EXPECT_LE(coordinate, 1) << samples;
             EXPECT_GT(coordinate, 1 - 1e-6) << samples;
+        }
+    }
+}
+
+// Noise is estimated from how far the samples that come move the mean of those that are there: each part must show the
+// same pixel. Seen to fail with cells in their order.
+TEST(PixelGrid, SpreadsEveryPartOfTheSamplesOverThePixel) {
+    for (const int samples : {32, 37, 64, 96, 100, 256, 1000}) {
+        const PixelGrid grid(samples);
+        for (const int part : {samples / 2, samples / 4}) {
+            for (int first = 0; first + part <= samples; first += part) {
+                core::Vec2f sum(0);
+                for (int i = first; i < first + part; ++i) sum += grid.place(i, core::Vec2f(0.5f));
+                const core::Vec2f middle = sum / static_cast<float>(part);
+                // Places drawn at random would be off by more.
+                const double chance = std::sqrt(1. / 12 / part);
+                EXPECT_NEAR(middle.x, 0.5, chance) << samples << " samples from " << first;
+                EXPECT_NEAR(middle.y, 0.5, chance) << samples << " samples from " << first;
+            }
         }
     }
 }

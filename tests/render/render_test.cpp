@@ -148,13 +148,13 @@ TEST_F(Rendering, GivesEverySampleItsOwnNumber) {
     const Picture picture = renderLines(radiometer.integrator(), settings);
     const core::Rayf ray = camera.ray(core::Vec2f(20.5f, 9.5f));
     glm::dvec3 sum(0);
-    for (int i = 0; i < settings.samplesPerPixel; ++i) {
+    for (int i = 0; i < settings.mostSamples(); ++i) {
         Sampler sampler(settings.seed, 20, 9, i);
         sampler.next2D();  // the place in the pixel
         RayCounts rays;
         sum += glm::dvec3(radiometer.integrator().radiance(ray, sampler, rays));
     }
-    EXPECT_EQ(picture.pixels[9 * width + 20], core::Rgbf(sum / double(settings.samplesPerPixel)));
+    EXPECT_EQ(picture.pixels[9 * width + 20], core::Rgbf(sum / double(settings.mostSamples())));
 }
 
 TEST_F(Rendering, SaysWhatItDid) {

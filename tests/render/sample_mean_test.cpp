@@ -123,7 +123,8 @@ TEST(Stop, EndsTheRenderSoon) {
         const Picture picture(integrator, settings, integrator.stop);
         EXPECT_FALSE(picture.result.finished);
         EXPECT_LT(integrator.late, threads) << "at most the sample that each other thread is at";
-        EXPECT_EQ(picture.result.samples, static_cast<std::uint64_t>(integrator.samples));
+        EXPECT_LE(picture.result.samples, static_cast<std::uint64_t>(integrator.samples))
+            << "a block that was broken off counts for nothing";
     }
 }
 

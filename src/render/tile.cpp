@@ -1,0 +1,69 @@
+#include "render/tile.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace render {
+
+void Tile::store(Film& film) const {
+    std::size_t i = 0;
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x, ++i) {
+            film.at(x, y) = pixels[i].mean();
+            if (film.hasLayers()) layers[i].store(film, x, y);
+        }
+}
+
+void TileRenderer::render(Tile& tile, int samples, const std::atomic<bool>& stop) {
+    constexpr int samplesAtOnce = 8;  // of each pixel: they fit in the processor's own memory
+    SampleBlock block{tile.left, tile.top, tile.right, tile.bottom, tile.samples, tile.samples};
+    tile.pixels.resize(static_cast<std::size_t>(block.pixels()));
+    if (hasLayers_) tile.layers.resize(tile.pixels.size());
+    while (tile.samples < samples) {
+        // A block ends at each power of two, where samples are spread most evenly and the noise is measured.
+        block.first = tile.samples;
+        const unsigned step =
+            std::bit_ceil(static_cast<unsigned>(block.first) + 1) - static_cast<unsigned>(block.first);
+        block.end = block.first + std::min({samplesAtOnce, samples - block.first, static_cast<int>(step)});
+        samples_.radiance.resize(static_cast<std::size_t>(block.size()));
+        if (hasLayers_) samples_.first.assign(samples_.radiance.size(), {});
+        integrator_.render(view_, block, samples_, stop);
+        if (stop.load(std::memory_order_relaxed)) return;
+        add(tile, block);
+        if (tile.samples == samples || std::has_single_bit(static_cast<unsigned>(tile.samples))) measureNoise(tile);
+    }
+}
+
+void TileRenderer::add(Tile& tile, const SampleBlock& block) {
+    std::size_t i = 0;
+    for (std::size_t p = 0; p < tile.pixels.size(); ++p)
+        for (int sample = block.first; sample < block.end; ++sample, ++i) {
+            const core::Rgbf& radiance = samples_.radiance[i];
+            if (core::isFinite(radiance)) {
+                tile.pixels[p].sum += glm::dvec3(radiance);
+                ++tile.pixels[p].kept;
+                if (hasLayers_) tile.layers[p].add(radiance, samples_.first[i]);
+            } else {
+                ++tally.dropped;
+            }
+        }
+    tile.samples = block.end;
+    tally.rays += samples_.rays;
+    samples_.rays = {};
+    tally.count(static_cast<std::uint64_t>(block.size()));
+}
+
+void TileRenderer::measureNoise(Tile& tile) {
+    std::vector<core::Rgbf> before, after;
+    for (const PixelSum& pixel : tile.pixels) {
+        before.push_back(pixel.before);
+        after.push_back(pixel.mean());
+    }
+    tile.rest = noiseStep(before, after, tile.right - tile.left);
+    if (!std::has_single_bit(static_cast<unsigned>(tile.samples))) return;
+    for (PixelSum& pixel : tile.pixels) pixel.before = pixel.mean();
+    if (tile.samples > 1) tile.steps.push_back(tile.rest);
+    tile.rest = {};
+}
+
+}  // namespace render
