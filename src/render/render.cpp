@@ -83,7 +83,7 @@ private:
             if (stop_) return;
             estimate();
             secondsPerSample = (secondsSince(start) - passStart) / (end - first);
-            expect(mostExpected(most, secondsSince(start)));
+            expect(samplesExpected(most, secondsSince(start)));
         }
         for (const Tile& tile : tiles_) tile.store(film_);
     }
@@ -133,11 +133,15 @@ private:
         if (estimate_) result_.noise = estimate_->error;
     }
 
-    double mostExpected(double most, double seconds) const {
+    // As far as can be told: it may be less than is there, and 0 while nothing can.
+    double samplesExpected(int most, double seconds) const {
         const int samples = result_.samplesPerPixel;
-        if (settings_.noise > 0 && estimate_) most = std::min(most, estimate_->samplesFor(settings_.noise, samples));
-        if (settings_.time > 0) most = std::min(most, samples * settings_.time / seconds);
-        return most;
+        if (settings_.noise > 0 && !estimate_ && settings_.time == 0) return 0;
+        double expected = most;
+        if (settings_.noise > 0 && estimate_)
+            expected = std::min(expected, estimate_->samplesFor(settings_.noise, samples));
+        if (settings_.time > 0) expected = std::min(expected, samples * settings_.time / seconds);
+        return expected;
     }
 
     void expect(double samplesPerPixel) {

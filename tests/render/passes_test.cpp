@@ -23,7 +23,6 @@ struct Picture {
     Film film;
     RenderResult result;
     double seconds = 0;
-    std::uint64_t expected = 0;
 
     Picture(const Integrator& integrator, const RenderSettings& settings, std::span<const Layer> layers = {},
             const std::atomic<bool>& stop = false)
@@ -32,7 +31,6 @@ struct Picture {
         const auto start = std::chrono::steady_clock::now();
         result = render(integrator, camera, settings, film, progress, stop);
         seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        expected = progress.expectedSamples;
     }
 
     std::vector<float> numbers() const {
@@ -244,19 +242,44 @@ TEST(Passes, EndSoonWhenTheyAreStopped) {
     }
 }
 
+// Keeps what there was to be read of the progress, block by block.
+class Watching : public Integrator {
+public:
+    explicit Watching(const Progress& progress) : progress_(progress) {}
+    void render(const View& view, const SampleBlock& block, Samples& samples,
+                const std::atomic<bool>& stop) const override {
+        if (block.left == 0 && block.top == 0) expected.emplace_back(block.first, progress_.expectedSamples);
+        noise_.render(view, block, samples, stop);
+    }
+
+    mutable std::vector<std::pair<int, double>> expected;
+
+private:
+    const Progress& progress_;
+    Noise noise_;
+};
+
 TEST(Passes, TellHowManySamplesToExpect) {
-    RenderSettings settings;
-    settings.samplesPerPixel = 12;
-    EXPECT_EQ(Picture(Noise(), settings).expected, 12u * width * height);
-    settings.noise = 1e-9;
-    EXPECT_EQ(Picture(Noise(), settings).expected, 12u * width * height);
-    settings.noise = 0.05;
-    settings.samplesPerPixel = 32;  // about a third of what it takes
-    EXPECT_EQ(Picture(Noise(), settings).expected, 32u * width * height);
-    settings.samplesPerPixel = 64;
-    settings.noise = 0.04;
-    const Picture picture(Noise(), settings);
-    EXPECT_EQ(picture.expected, 64u * width * height);
+    const double pixels = width * height;
+    const auto expected = [](double noise, double time, std::optional<int> most) {
+        RenderSettings settings;
+        settings.noise = noise;
+        settings.time = time;
+        settings.samplesPerPixel = most;
+        settings.threads = 1;
+        Progress progress;
+        const Watching integrator(progress);
+        Film film(width, height, 0, height);
+        render(integrator, camera, settings, film, progress, std::atomic<bool>(false));
+        return integrator.expected;
+    };
+    for (const auto& [sample, samples] : expected(0, 0, 20)) EXPECT_EQ(samples, 20 * pixels);
+    for (const auto& [sample, samples] : expected(0.05, 0, 30)) EXPECT_EQ(samples, sample < 4 ? 0 : 30 * pixels);
+    // What the noise asked for takes.
+    const double needed = 2 / 3. * 1 / 3. / 1.01 / (0.05 * 0.05);
+    for (const auto& [sample, samples] : expected(0.05, 0, {}))
+        EXPECT_NEAR(samples, sample < 4 ? 0 : needed * pixels, 0.4 * needed * pixels) << "at sample " << sample;
+    for (const auto& [sample, samples] : expected(1e-9, 0.1, {})) EXPECT_EQ(samples > 0, sample > 0);
 }
 
 TEST(Passes, TakeAtMost60BytesAPixelWithTheFilm) {
