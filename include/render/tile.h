@@ -72,12 +72,13 @@ public:
 
 private:
     void add(Tile& tile, const SampleBlock& block);
-    void measureNoise(Tile& tile);
+    void measureNoise(Tile& tile, bool tells);
 
     const Integrator& integrator_;
     const View& view_;
     bool hasLayers_;
     Samples samples_;
+    std::vector<core::Rgbf> before_, after_;
 };
 
 }  // namespace render

@@ -3,25 +3,39 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <vector>
 
 namespace render {
 namespace {
 
-// The mean of the squares of the pixels round one, its own left out; its own where there are no others.
-glm::dvec3 squareAround(std::span<const core::Rgbf> means, int width, int x, int y) {
-    const int height = static_cast<int>(means.size()) / width;
-    glm::dvec3 sum(0);
-    int count = 0;
-    const auto add = [&](int column, int row) {
-        const glm::dvec3 mean(means[static_cast<std::size_t>(row * width + column)]);
-        sum += mean * mean;
-        ++count;
+// Of each pixel of a rectangle, the mean of the squares of those round it; its own square where there are no others.
+std::vector<glm::dvec3> squaresAround(std::span<const core::Rgbf> means, int width) {
+    const std::size_t columns = static_cast<std::size_t>(width), rows = means.size() / columns;
+    std::vector<glm::dvec3> around;
+    around.reserve(means.size());
+    // Of each column the squares above and below, and these with the one between; a column of nothing at either end.
+    std::vector<glm::dvec3> two(columns + 2, glm::dvec3(0)), three(columns + 2, glm::dvec3(0));
+    const auto square = [&](std::size_t row, std::size_t column) {
+        const glm::dvec3 mean(means[row * columns + column]);
+        return mean * mean;
     };
-    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, height - 1); ++row)
-        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width - 1); ++column)
-            if (column != x || row != y) add(column, row);
-    if (count == 0) add(x, y);
-    return sum / static_cast<double>(count);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+            glm::dvec3 sum(0);
+            if (row > 0) sum += square(row - 1, column);
+            if (row + 1 < rows) sum += square(row + 1, column);
+            two[column + 1] = sum;
+            three[column + 1] = sum + square(row, column);
+        }
+        const int high = 1 + (row > 0) + (row + 1 < rows);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const int others = high * (1 + (column > 0) + (column + 1 < columns)) - 1;
+            around.push_back(others == 0
+                                 ? square(row, column)
+                                 : (three[column] + two[column + 1] + three[column + 2]) / static_cast<double>(others));
+        }
+    }
+    return around;
 }
 
 // What a step leaves of the squared error. Independent samples leave half; those that are spread evenly less, down to
@@ -62,13 +76,13 @@ struct Beyond {
 
 NoiseStep noiseStep(std::span<const core::Rgbf> before, std::span<const core::Rgbf> after, int width) {
     constexpr double dark = 0.01;  // squared radiance: where a pixel is darker, its error is not relative to it
+    const std::vector<glm::dvec3> around = squaresAround(after, width);
     NoiseStep step;
     for (std::size_t i = 0; i < after.size(); ++i) {
         const glm::dvec3 mean(after[i]);
         const glm::dvec3 moved = mean - glm::dvec3(before[i]);
         // A pixel that is bright by one rare sample is no bright pixel: it is measured against those round it.
-        const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
-        const glm::dvec3 square = glm::min(mean * mean, squareAround(after, width, x, y));
+        const glm::dvec3 square = glm::min(mean * mean, around[i]);
         const double part = glm::dot(moved * moved / (square + dark), glm::dvec3(1));
         step.moved += part;
         step.squares += part * part;

@@ -30,7 +30,10 @@ void TileRenderer::render(Tile& tile, int samples, const std::atomic<bool>& stop
         integrator_.render(view_, block, samples_, stop);
         if (stop.load(std::memory_order_relaxed)) return;
         add(tile, block);
-        if (tile.samples == samples || std::has_single_bit(static_cast<unsigned>(tile.samples))) measureNoise(tile);
+        // The last two steps tell how noisy it is; those before them nobody will ask for.
+        const bool tells = tile.samples >= samples / 4;
+        if (tile.samples == samples || std::has_single_bit(static_cast<unsigned>(tile.samples)))
+            measureNoise(tile, tells);
     }
 }
 
@@ -53,13 +56,17 @@ void TileRenderer::add(Tile& tile, const SampleBlock& block) {
     tally.count(static_cast<std::uint64_t>(block.size()));
 }
 
-void TileRenderer::measureNoise(Tile& tile) {
-    std::vector<core::Rgbf> before, after;
-    for (const PixelSum& pixel : tile.pixels) {
-        before.push_back(pixel.before);
-        after.push_back(pixel.mean());
+void TileRenderer::measureNoise(Tile& tile, bool tells) {
+    tile.rest = {};
+    if (tells) {
+        before_.clear();
+        after_.clear();
+        for (const PixelSum& pixel : tile.pixels) {
+            before_.push_back(pixel.before);
+            after_.push_back(pixel.mean());
+        }
+        tile.rest = noiseStep(before_, after_, tile.right - tile.left);
     }
-    tile.rest = noiseStep(before, after, tile.right - tile.left);
     if (!std::has_single_bit(static_cast<unsigned>(tile.samples))) return;
     for (PixelSum& pixel : tile.pixels) pixel.before = pixel.mean();
     if (tile.samples > 1) tile.steps.push_back(tile.rest);

@@ -1,6 +1,7 @@
 // Pictures whose number of samples is found out while they are rendered: how they end, and that it changes no bit.
-// Seen to fail with passes that leave samples out or start anew, an alarm that is not heard, a first pass that can be
-// cut off, tiles summed in the order in which they end, and without the bound.
+// Seen to fail with a sample weighed otherwise, a broken-off block that is kept, an alarm that is not heard, tiles
+// summed in the order in which they end, and without the bound; and not to end where a first pass can be cut off, or
+// each pass starts anew.
 #include "render/passes.h"
 
 #include "render/layer_picture.h"
@@ -158,22 +159,23 @@ TEST(Noise, IsNoneWhereAllSamplesAreAlike) {
     }
 }
 
-// Each sample is its own number, and takes its time.
+// Each sample is its own number, and takes its time: from the fifth on another time than before.
 class Slow : public Integrator {
 public:
-    explicit Slow(double seconds) : pause_(seconds) {}
+    explicit Slow(double seconds) : Slow(seconds, seconds) {}
+    Slow(double seconds, double laterSeconds) : pause_(seconds), laterPause_(laterSeconds) {}
     void render(const View&, const SampleBlock& block, Samples& samples, const std::atomic<bool>& stop) const override {
         std::size_t i = 0;
         for (int pixel = 0; pixel < block.pixels(); ++pixel)
             for (int sample = block.first; sample < block.end; ++sample, ++i) {
                 if (stop.load()) return;
                 samples.radiance[i] = Rgbf(static_cast<float>(sample));
-                if (pixel % 64 == 0) std::this_thread::sleep_for(pause_);
+                if (pixel % 64 == 0) std::this_thread::sleep_for(sample < 4 ? pause_ : laterPause_);
             }
     }
 
 private:
-    std::chrono::duration<double> pause_;
+    std::chrono::duration<double> pause_, laterPause_;
 };
 
 // Every pixel of a tile is the mean of the numbers from 0 to one less than there are.
@@ -201,6 +203,18 @@ TEST(Time, EndsTheRenderWhenItIsOver) {
         expectWholeTiles(picture, picture.result.samplesPerPixel);
         EXPECT_GE(picture.result.samples, std::uint64_t(width * height) * picture.result.samplesPerPixel);
     }
+}
+
+// As the passes before went, the next would be done in time; it takes 2.4 s.
+TEST(Time, EndsTheRenderWithinAPass) {
+    RenderSettings settings;
+    settings.time = 0.3;
+    settings.threads = 2;
+    const Picture picture(Slow(1e-4, 0.05), settings);
+    EXPECT_EQ(picture.result.stoppedBy, StoppedBy::time);
+    EXPECT_LT(picture.seconds, 0.5);
+    EXPECT_EQ(picture.result.samplesPerPixel, 4);
+    expectWholeTiles(picture, 4);
 }
 
 TEST(Time, LeavesNoPixelWithoutASample) {
