@@ -1,6 +1,7 @@
 // Meshes from files, good ones and broken ones. Messages are compared word for word.
 #include "gr/accelerator.h"
 #include "gr/error_of.h"
+#include "gr/mesh_import.h"
 #include "gr/mesh_text.h"
 #include "gr/scene.h"
 #include "support/test_random.h"
@@ -83,6 +84,26 @@ TEST_F(MeshFileTest, CutsPolygonsItself) {
         area +=
             glm::length(glm::cross(mesh->vertex(i, 1) - mesh->vertex(i, 0), mesh->vertex(i, 2) - mesh->vertex(i, 0)));
     EXPECT_EQ(area / 2, 4);
+}
+
+TEST_F(MeshFileTest, VerticesAtOnePlaceAreOne) {
+    support::TestRandom random(1);
+    // 12 places, which come again soon and late; 0 and -0 are one.
+    std::vector<core::Vec3f> places;
+    std::string text;
+    for (int i = 0; i < 3000; ++i) {
+        const int number = static_cast<int>(random.nextBits() % (i < 1500 ? 4 : 12));
+        places.emplace_back(number % 2, number / 2, number % 3);
+        text += "v " + std::string(number % 2 == 0 && i % 2 == 0 ? "-0" : std::to_string(number % 2)) + " " +
+                std::to_string(number / 2) + " " + std::to_string(number % 3) + "\n";
+        if (i % 3 == 2)
+            text += "f " + std::to_string(i - 1) + " " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
+    }
+    const FlatMesh mesh = importMesh(folder.write("a.obj", text), repairs);
+    EXPECT_EQ(mesh.vertices.size(), 12u);
+    ASSERT_EQ(mesh.corners.size(), places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        EXPECT_EQ(core::Vec3f(mesh.vertices[mesh.corners[i]]), places[i]) << "corner " << i;
 }
 
 TEST_F(MeshFileTest, CountsWhatItMends) {

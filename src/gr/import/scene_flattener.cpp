@@ -72,20 +72,33 @@ void SceneFlattener::addVertices(const Placed& placed) {
         const aiVector3t<double> moved = placed.matrix * aiVector3t<double>(given.x, given.y, given.z);
         return {moved.x, moved.y, moved.z};
     };
-    constexpr unsigned ahead = 16;
-    std::array<std::uint64_t, ahead> hashes{};  // of the vertices that come next
+    // In most files a corner is like one of the few before it, which is quick to see. What others need is fetched
+    // ahead.
+    constexpr unsigned few = 8, ahead = 16, kept = 32;
+    struct Corner {
+        core::Vec3f place = core::Vec3f(std::numeric_limits<float>::quiet_NaN());
+        unsigned back = 0;  // how far before it the one is that it is like, or 0
+        std::uint64_t hash = 0;
+    };
+    std::array<Corner, kept> recent;
     const auto prepare = [&](unsigned i) {
         if (i >= mesh.mNumVertices) return;
-        hashes[i % ahead] = table_.hash(place(i));
-        table_.fetchSlot(hashes[i % ahead]);
+        Corner& corner = recent[i % kept];
+        corner.place = place(i);
+        for (corner.back = 1; corner.back <= few; ++corner.back)
+            if (recent[(i - corner.back) % kept].place == corner.place) return;
+        corner.back = 0;
+        corner.hash = table_.hash(corner.place);
+        table_.fetchSlot(corner.hash);
     };
     for (unsigned i = 0; i < ahead; ++i) prepare(i);
     numbers_.resize(mesh.mNumVertices);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-        const std::uint64_t hash = hashes[i % ahead];
         prepare(i + ahead);
-        table_.fetchPlace(vertices.data(), hashes[(i + ahead / 2) % ahead]);
-        numbers_[i] = addVertex(place(i), hash);
+        const Corner& next = recent[(i + ahead / 2) % kept];
+        if (next.back == 0) table_.fetchPlace(vertices.data(), next.hash);
+        const Corner& corner = recent[i % kept];
+        numbers_[i] = corner.back > 0 ? numbers_[i - corner.back] : addVertex(corner.place, corner.hash);
     }
 }
 
