@@ -21,6 +21,13 @@ enum class Crossing { isAnError, isDropped };
 std::vector<glm::ivec3> triangulate(const FlatMesh& mesh, Crossing crossing, MeshRepairs& repairs);
 
 // Twice the face's area, along its normal (Newell's method): right for any simple outline, flat or not.
-glm::dvec3 faceNormal(const std::vector<glm::dvec3>& vertices, std::span<const int> face);
+inline glm::dvec3 faceNormal(const std::vector<glm::dvec3>& vertices, std::span<const int> face) {
+    // About the first vertex, so that a small face far from the origin keeps its digits.
+    const glm::dvec3 origin = vertices[face[0]];
+    glm::dvec3 normal(0);
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+        normal += glm::cross(vertices[face[i]] - origin, vertices[face[i + 1]] - origin);
+    return normal;
+}
 
 }  // namespace gr

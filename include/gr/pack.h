@@ -32,9 +32,9 @@ struct PackRay : TriangleRay<PackLanes, UniformAxes> {
     explicit PackRay(const core::Rayf& ray) : TriangleRay(TriangleRay<float>(ray)) {}
 };
 
-// Triangles. A lane that is not set holds an empty triangle, which no ray meets.
+// Triangles. A lane of zeros holds an empty triangle, which no ray meets.
 struct alignas(16) TrianglePack {
-    float vertex[3][3][packWidth] = {};  // [vertex][axis][lane]
+    float vertex[3][3][packWidth];  // [vertex][axis][lane]
 
     void set(int lane, const std::array<core::Vec3f, 3>& v) {
         for (int corner = 0; corner < 3; ++corner)

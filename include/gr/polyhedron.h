@@ -86,10 +86,9 @@ public:
 
 private:
     Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles);
-    void setTriangle(const FlatMesh& mesh, const glm::ivec3& corners, std::size_t triangle);
     void setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);
 
-    std::vector<TrianglePack> packs_;
+    std::unique_ptr<TrianglePack[]> packs_;
     std::vector<PackedNormal> normals_;  // of each triangle's three corners, or empty
     std::size_t triangleCount_ = 0;
     core::Bounds bounds_;

@@ -3,6 +3,8 @@
 #include "gr/parts.h"
 
 #include <algorithm>
+#include <memory>
+#include <numeric>
 
 namespace gr {
 namespace {
@@ -12,14 +14,15 @@ class Neighbours {
 public:
     static constexpr int none = -1;  // the edge belongs to one face only, or to more than two
 
-    explicit Neighbours(const FlatMesh& mesh) : beyond_(mesh.corners.size()), starts_(mesh.vertices.size() + 1) {
+    explicit Neighbours(const FlatMesh& mesh)
+        : beyond_(std::make_unique_for_overwrite<int[]>(mesh.corners.size())), starts_(mesh.vertices.size() + 1) {
         collect(mesh);
         inParts(mesh.faceCount(), [&](int first, int end) {
             for (int f = first; f < end; ++f)
                 forEachEdge(mesh, f, [&](int place, int a, int b) { beyond_[place] = find(f, a, b); });
         });
         starts_ = {};
-        edges_ = {};
+        edges_.reset();
     }
 
     int face(int place) const { return beyond_[place] >> 1; }
@@ -42,23 +45,23 @@ private:
 
     // Sorts the edges by where they start; where many do, as at the tip of a cone, by where they go as well.
     void collect(const FlatMesh& mesh) {
-        for (const int a : mesh.corners) ++starts_[a + 1];
-        for (std::size_t a = 1; a < starts_.size(); ++a) starts_[a] += starts_[a - 1];
-        edges_.resize(mesh.corners.size());
-        std::vector<int> next(starts_.begin(), starts_.end() - 1);
+        for (const int a : mesh.corners) ++starts_[a];
+        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+        edges_ = std::make_unique_for_overwrite<Edge[]>(mesh.corners.size());
+        // Filled from behind, which leaves in starts_ where each vertex's edges start.
         for (int f = 0; f < mesh.faceCount(); ++f)
-            forEachEdge(mesh, f, [&](int, int a, int b) { edges_[next[a]++] = {b, f}; });
+            forEachEdge(mesh, f, [&](int, int a, int b) { edges_[--starts_[a]] = {b, f}; });
         inParts(static_cast<int>(mesh.vertices.size()), [&](int first, int end) {
             for (int a = first; a < end; ++a)
-                if (starts_[a + 1] - starts_[a] > many) std::sort(&edges_[starts_[a]], &edges_[0] + starts_[a + 1]);
+                if (starts_[a + 1] - starts_[a] > many) std::sort(&edges_[starts_[a]], &edges_[starts_[a + 1]]);
         });
     }
 
     // Calls function(face) for the faces with an edge from a to b until it returns false.
     template<class Function>
     void forEachFrom(int a, int b, Function&& function) const {
-        const Edge* edge = &edges_[0] + starts_[a];
-        const Edge* end = &edges_[0] + starts_[a + 1];
+        const Edge* edge = &edges_[starts_[a]];
+        const Edge* end = &edges_[starts_[a + 1]];
         const bool isSorted = end - edge > many;
         if (isSorted) edge = std::lower_bound(edge, end, Edge{b, 0});
         for (; edge != end && (!isSorted || edge->to == b); ++edge)
@@ -84,21 +87,24 @@ private:
 
     static constexpr int many = 32;
 
-    std::vector<int> beyond_;  // what find returns, for each place
+    std::unique_ptr<int[]> beyond_;  // what find returns, for each place
     std::vector<int> starts_;  // where a vertex's edges start in edges_
-    std::vector<Edge> edges_;
+    std::unique_ptr<Edge[]> edges_;
 };
 
 // Six times the volume that the faces of a closed body enclose: positive when they face outwards.
 double volume(const FlatMesh& mesh, std::span<const int> faces, const std::vector<char>& turned) {
     const glm::dvec3 origin = mesh.vertices[mesh.corners[mesh.begin(faces[0])]];
-    double sum = 0;
-    for (const int f : faces) {
-        const std::span<const int> face = mesh.face(f);
-        const double cone = glm::dot(faceNormal(mesh.vertices, face), mesh.vertices[face[0]] - origin);
-        sum += turned[f] ? -cone : cone;
-    }
-    return sum;
+    const std::vector<double> sums = ofParts<double>(static_cast<int>(faces.size()), [&](int first, int end) {
+        double sum = 0;
+        for (const int f : faces.subspan(first, end - first)) {
+            const std::span<const int> face = mesh.face(f);
+            const double cone = glm::dot(faceNormal(mesh.vertices, face), mesh.vertices[face[0]] - origin);
+            sum += turned[f] ? -cone : cone;
+        }
+        return sum;
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
 void turn(FlatMesh& mesh, int face) {
@@ -114,6 +120,7 @@ void orientFaces(FlatMesh& mesh, MeshRepairs& repairs) {
     const int count = mesh.faceCount();
     std::vector<char> seen(count, 0), turned(count, 0);
     std::vector<int> body;
+    body.reserve(count);
     for (int start = 0; start < count; ++start) {
         if (seen[start]) continue;
         // Walk over shared edges: two faces agree when they run along their edge in opposite ways.

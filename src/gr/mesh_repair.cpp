@@ -9,15 +9,6 @@
 
 namespace gr {
 
-glm::dvec3 faceNormal(const std::vector<glm::dvec3>& vertices, std::span<const int> face) {
-    // About the first vertex, so that a small face far from the origin keeps its digits.
-    const glm::dvec3 origin = vertices[face[0]];
-    glm::dvec3 normal(0);
-    for (std::size_t i = 1; i + 1 < face.size(); ++i)
-        normal += glm::cross(vertices[face[i]] - origin, vertices[face[i + 1]] - origin);
-    return normal;
-}
-
 void mergeVertices(FlatMesh& mesh, MeshRepairs& repairs) {
     PlaceTable<glm::dvec3> table;
     std::vector<int> first(mesh.vertices.size());
@@ -51,7 +42,20 @@ bool isOnALine(const std::vector<glm::dvec3>& v, std::span<const int> face) {
     return true;
 }
 
+double sizeOf(const glm::dvec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+// Whether a triangle has so much area that no rounding of cross products, at whichever corner, makes it none. Most do.
+bool isClearlyATriangle(const std::vector<glm::dvec3>& v, std::span<const int> face) {
+    if (face.size() != 3) return false;
+    const glm::dvec3 a = v[face[1]] - v[face[0]], b = v[face[2]] - v[face[0]];
+    const double size = sizeOf(a) + sizeOf(b);
+    return sizeOf(glm::cross(a, b)) > 1e-10 * size * size;
+}
+
 bool needsRepair(const std::vector<glm::dvec3>& v, std::span<const int> face) {
+    if (isClearlyATriangle(v, face)) return false;
     for (std::size_t i = 0; i < face.size(); ++i)
         if (isDegenerate(v, face, i)) return true;
     return isOnALine(v, face);
@@ -96,25 +100,27 @@ void dropDegenerate(FlatMesh& mesh, MeshRepairs& repairs) {
     if (needsRepair.empty()) return;
     // What is kept moves to the front.
     int size = 0, faces = 0;
+    const auto keep = [&](int place) {
+        mesh.corners[size] = mesh.corners[place];
+        if (!mesh.normals.empty()) mesh.normals[size] = mesh.normals[place];
+        ++size;
+    };
     std::vector<int> outline, places;
-    for (int f = 0, begin = 0; f < mesh.faceCount(); ++f) {
-        const int end = mesh.end(f);
-        outline.assign(&mesh.corners[begin], &mesh.corners[0] + end);
-        places.resize(outline.size());
-        std::iota(places.begin(), places.end(), begin);
-        begin = end;
+    for (int f = 0, begin = 0, end; f < mesh.faceCount(); ++f, begin = end) {
+        end = mesh.end(f);
         if (needsRepair[f] != 0) {
+            outline.assign(&mesh.corners[begin], &mesh.corners[0] + end);
+            places.resize(outline.size());
+            std::iota(places.begin(), places.end(), begin);
             const int dropped = dropFromOutline(mesh.vertices, outline, places);
             if (outline.size() < 3 || isOnALine(mesh.vertices, outline)) {
                 ++repairs.droppedFaces;
                 continue;
             }
             repairs.droppedVertices += dropped;
-        }
-        for (const int place : places) {
-            mesh.corners[size] = mesh.corners[place];
-            if (!mesh.normals.empty()) mesh.normals[size] = mesh.normals[place];
-            ++size;
+            for (const int place : places) keep(place);
+        } else {
+            for (int place = begin; place < end; ++place) keep(place);
         }
         if (!mesh.ends.empty()) mesh.ends[faces++] = size;
     }

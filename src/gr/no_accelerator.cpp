@@ -83,7 +83,7 @@ public:
 private:
     // Triangles of meshes that stand in the world as they are, several meshes' in a pack.
     struct MeshPack {
-        TrianglePack triangles;
+        TrianglePack triangles{};
         std::uint32_t instance[packWidth] = {};
         std::uint32_t triangle[packWidth] = {};
     };

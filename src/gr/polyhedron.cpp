@@ -45,6 +45,15 @@ std::vector<glm::ivec3> makeTriangles(FlatMesh& mesh, Crossing crossing, MeshRep
     return triangles;
 }
 
+TrianglePack makePack(const FlatMesh& mesh, std::span<const glm::ivec3> triangles) {
+    TrianglePack pack{};
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto corner = [&](int k) { return core::Vec3f(mesh.vertices[mesh.corners[triangles[i][k]]]); };
+        pack.set(static_cast<int>(i), {corner(0), corner(1), corner(2)});
+    }
+    return pack;
+}
+
 }  // namespace
 
 std::shared_ptr<const Polyhedron> Polyhedron::make(const PolygonMesh& given, MeshRepairs& repairs) {
@@ -58,21 +67,22 @@ std::shared_ptr<const Polyhedron> Polyhedron::make(FlatMesh mesh, MeshRepairs& r
 }
 
 Polyhedron::Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles)
-    : packs_((triangles.size() + packWidth - 1) / packWidth), triangleCount_(triangles.size()) {
-    for (const glm::ivec3& triangle : triangles)
-        for (int k = 0; k < 3; ++k) bounds_.include(core::Vec3f(mesh.vertices[mesh.corners[triangle[k]]]));
+    : packs_(std::make_unique_for_overwrite<TrianglePack[]>((triangles.size() + packWidth - 1) / packWidth)),
+      triangleCount_(triangles.size()) {
     sortIntoPacks(mesh, triangles);
-    inParts(static_cast<int>(packs_.size()), [&](int first, int end) {
-        const std::size_t last = std::min(static_cast<std::size_t>(end) * packWidth, triangleCount_);
-        for (std::size_t i = static_cast<std::size_t>(first) * packWidth; i < last; ++i)
-            setTriangle(mesh, triangles[i], i);
-    });
+    const std::vector<core::Bounds> bounds =
+        ofParts<core::Bounds>(static_cast<int>(packCount()), [&](int first, int end) {
+            core::Bounds box;
+            for (int i = first; i < end; ++i) {
+                const std::size_t at = static_cast<std::size_t>(i) * packWidth;
+                const std::size_t count = std::min<std::size_t>(packWidth, triangleCount_ - at);
+                packs_[i] = makePack(mesh, std::span(triangles).subspan(at, count));
+                box.include(packBounds(static_cast<std::uint32_t>(i)));
+            }
+            return box;
+        });
+    for (const core::Bounds& box : bounds) bounds_.include(box);
     if (!mesh.normals.empty()) setNormals(mesh, triangles);
-}
-
-void Polyhedron::setTriangle(const FlatMesh& mesh, const glm::ivec3& corners, std::size_t triangle) {
-    const auto corner = [&](int k) { return core::Vec3f(mesh.vertices[mesh.corners[corners[k]]]); };
-    packs_[triangle / packWidth].set(static_cast<int>(triangle % packWidth), {corner(0), corner(1), corner(2)});
 }
 
 void Polyhedron::setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles) {
@@ -117,11 +127,11 @@ core::Vec3f Polyhedron::vertex(std::uint32_t triangle, int corner) const {
 }
 
 std::size_t Polyhedron::bytes() const {
-    return packs_.size() * sizeof(TrianglePack) + normals_.size() * sizeof(PackedNormal);
+    return packCount() * sizeof(TrianglePack) + normals_.size() * sizeof(PackedNormal);
 }
 
 std::size_t Polyhedron::packCount() const {
-    return packs_.size();
+    return (triangleCount_ + packWidth - 1) / packWidth;
 }
 
 core::Bounds Polyhedron::packBounds(std::uint32_t pack) const {
@@ -144,7 +154,7 @@ void Polyhedron::intersect(const PackRay& ray, std::uint32_t pack, std::uint32_t
 }
 
 void Polyhedron::intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const {
-    for (std::uint32_t pack = 0; pack < packs_.size(); ++pack) intersect(ray, pack, instance, nearest);
+    for (std::uint32_t pack = 0; pack < packCount(); ++pack) intersect(ray, pack, instance, nearest);
 }
 
 bool Polyhedron::occluded(const PackRay& ray, std::uint32_t pack) const {
@@ -155,7 +165,7 @@ bool Polyhedron::occluded(const PackRay& ray, std::uint32_t pack) const {
 }
 
 bool Polyhedron::occluded(const PackRay& ray) const {
-    for (std::uint32_t pack = 0; pack < packs_.size(); ++pack)
+    for (std::uint32_t pack = 0; pack < packCount(); ++pack)
         if (occluded(ray, pack)) return true;
     return false;
 }

@@ -54,17 +54,30 @@ bool isSorted(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles) {
         const glm::dvec3 size = box.size();
         return size.x * size.y + size.y * size.z + size.z * size.x;
     };
-    double ofPacks = 0, ofTriangles = 0;
-    for (std::size_t first = 0; first < triangles.size(); first += packWidth) {
-        core::Bounds pack;
-        for (std::size_t i = first; i < std::min(first + packWidth, triangles.size()); ++i) {
-            const core::Bounds box = boxOf(mesh, triangles[i]);
-            pack.include(box);
-            ofTriangles += surface(box);
+    struct Sum {
+        double ofPacks = 0, ofTriangles = 0;
+    };
+    const int count = static_cast<int>(triangles.size());
+    static_assert(partSize % packWidth == 0);
+    const std::vector<Sum> sums = ofParts<Sum>(count, [&](int begin, int end) {
+        Sum sum;
+        for (int first = begin; first < end; first += packWidth) {
+            core::Bounds pack;
+            for (int i = first; i < std::min(first + packWidth, end); ++i) {
+                const core::Bounds box = boxOf(mesh, triangles[i]);
+                pack.include(box);
+                sum.ofTriangles += surface(box);
+            }
+            sum.ofPacks += surface(pack);
         }
-        ofPacks += surface(pack);
+        return sum;
+    });
+    Sum all;
+    for (const Sum& sum : sums) {
+        all.ofPacks += sum.ofPacks;
+        all.ofTriangles += sum.ofTriangles;
     }
-    return ofPacks <= muchSmaller * ofTriangles;
+    return all.ofPacks <= muchSmaller * all.ofTriangles;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "gr/mesh_repair.h"
 
 #include "gr/error_of.h"
+#include "gr/uv_sphere_mesh.h"
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -193,6 +194,14 @@ TEST(OrientFaces, EachBodyOnItsOwn) {
     }
 }
 
+TEST(OrientFaces, TurnsABodyOfManyFaces) {
+    PolygonMesh mesh = uvSphereMesh(200, 400);
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face)
+        if (face != 1000) turn(mesh, face);
+    EXPECT_EQ(orient(mesh).turnedFaces, static_cast<int>(mesh.faces.size()) - 1);
+    expectOutwards(mesh, {0, 0, 0});
+}
+
 TEST(OrientFaces, OfAnOpenStripTheFewerAreWrong) {
     for (const std::vector<std::size_t>& wrong : {std::vector<std::size_t>{}, {0}, {4}, {2}, {0, 1}, {1, 3}}) {
         PolygonMesh mesh = strip(5);
@@ -231,6 +240,22 @@ TEST(MakePolyhedron, CountsAllThatItMends) {
     EXPECT_EQ(repairs.text(),
               "1 duplicate vertex merged, 1 degenerate vertex dropped, 1 face without area dropped, "
               "1 wrong-way face turned");
+}
+
+TEST(MakePolyhedron, OfManyTrianglesHoldsThemAll) {
+    MeshRepairs repairs;
+    const auto mesh = Polyhedron::make(uvSphereMesh(300, 400), repairs);
+    EXPECT_EQ(mesh->triangleCount(), 2u * 400 * 299);
+    core::Bounds bounds;
+    double area = 0;
+    for (std::uint32_t i = 0; i < mesh->triangleCount(); ++i) {
+        const core::Vec3f a = mesh->vertex(i, 0), b = mesh->vertex(i, 1), c = mesh->vertex(i, 2);
+        for (const core::Vec3f& v : {a, b, c}) bounds.include(v);
+        area += glm::length(glm::cross(b - a, c - a)) / 2;
+    }
+    EXPECT_NEAR(area, 4 * M_PI, 1e-3);
+    EXPECT_EQ(mesh->bounds().low, bounds.low);
+    EXPECT_EQ(mesh->bounds().high, bounds.high);
 }
 
 TEST(MakePolyhedron, NeedsAnArea) {
