@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "gr/embree_library.h"
+#include "gr/parts.h"
 
 #include <bit>
 #include <cmath>
@@ -85,7 +86,12 @@ struct EmbreeTree::Walk : RTCIntersectContext {
 EmbreeTree::EmbreeTree(const EmbreeDevice& device, std::uint32_t count, BoundsOf boundsOf, float errorPerUnit,
                        int threads)
     : device_(device), count_(count), boundsOf_(std::move(boundsOf)), errorPerUnit_(errorPerUnit), threads_(threads) {
-    for (std::uint32_t i = 0; i < count_; ++i) reach_ = std::max(reach_, boundsOf_(i).reach());
+    for (const float reach : ofParts<float>(static_cast<int>(count_), threads_, [&](int first, int end) {
+             float part = 0;
+             for (int i = first; i < end; ++i) part = std::max(part, boundsOf_(static_cast<std::uint32_t>(i)).reach());
+             return part;
+         }))
+        reach_ = std::max(reach_, reach);
     if (reach_ > 0) scale_ = 1 / powerOfTwo(reach_);
     if (count_ > 0) sceneFor(0);
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace gr {
 
@@ -26,7 +27,6 @@ public:
         std::iota(all.begin(), all.end(), 0u);
         grid_.outliers_ = takeOutliers(bounds_, all);
         Part whole = *levelFor(all, boxOf(bounds_, all), 0);
-        whole.items.shrink_to_fit();
         grid_.levels_ = std::move(whole.levels);
         grid_.bricks_ = std::move(whole.bricks);
         grid_.cells_ = std::move(whole.cells);
@@ -46,6 +46,13 @@ private:
         std::vector<std::uint32_t> items;
     };
 
+    // Where a cell has more items than a cell should, and what became of it.
+    struct Crowd {
+        std::size_t cell;
+        Bounds box;  // what the items fill of it
+        std::optional<Part> inner;
+    };
+
     static constexpr double mostCopies = 6;  // of an item in cells, on average
     // A cell with more items than this gets a level of its own, unless that would not keep them apart either.
     static constexpr std::size_t mostInCell = 8;
@@ -61,9 +68,9 @@ private:
         std::vector<std::uint32_t> begins, sorted;
         const std::size_t largest = sort(part, items, occupied, begins, sorted);
         if (depth > 0 && 5 * largest > 4 * items.size()) return std::nullopt;
-        std::vector<std::optional<Part>> inner(occupied);
-        if (depth < mostDepth && largest > mostInCell) split(part, begins, sorted, depth, inner);
-        finish(part, begins, sorted, inner);
+        std::vector<Crowd> crowds;
+        if (depth < mostDepth && largest > mostInCell) crowds = split(part, begins, sorted, depth);
+        finish(part, begins, sorted, crowds);
         return part;
     }
 
@@ -78,8 +85,11 @@ private:
     Choice bestResolution(Items items, const Bounds& box, int depth) const {
         const double n = static_cast<double>(items.size());
         Choice best{1, core::infinity};
+        std::array<int, 3> last{};
         for (double cells = n / 64; cells <= 64 * n; cells *= 4) {
             const Level level(box, std::max(cells, 1.0), grid_.errorPerUnit_);
+            if (level.count == last) continue;
+            last = level.count;
             const double listed = copies(level, items);
             if (listed > mostCopies * n && best.cost < core::infinity) break;
             const double cost = costOf(level, items, listed, depth);
@@ -110,10 +120,12 @@ private:
         if (depth > 0 || items.size() < 256) return costOfLevel + 12 * std::cbrt(inCell);
         // Look into the cells of a few.
         constexpr std::size_t samples = 4;
-        double sum = 0;
-        for (std::size_t i = 0; i < samples; ++i)
-            sum += costRound(level, items, items[(2 * i + 1) * items.size() / (2 * samples)], depth);
-        return sum / samples;
+        std::array<double, samples> costs;
+        core::parallelFor(samples, threads_, [&](int i) {
+            const std::size_t sample = static_cast<std::size_t>(i);
+            costs[sample] = costRound(level, items, items[(2 * sample + 1) * items.size() / (2 * samples)], depth);
+        });
+        return std::accumulate(costs.begin(), costs.end(), 0.) / samples;
     }
 
     // Of the cell that an item's middle is in.
@@ -137,35 +149,56 @@ private:
     // How often items would be listed, in all.
     double copies(const Level& level, Items items) const {
         double sum = 0;
-        for (const std::uint32_t item : items) sum += CellRange(level, bounds_[item]).count();
+        inChunks(items.size(), [&](std::size_t first, std::size_t end) {
+            double part = 0;
+            for (std::size_t i = first; i < end; ++i) part += CellRange(level, bounds_[items[i]]).count();
+            // Whole numbers: in any order the sum is the same.
+            std::atomic_ref(sum).fetch_add(part, std::memory_order_relaxed);
+        });
         return sum;
     }
 
-    // Calls function(i) for i from 0 to count - 1, many of them on all threads.
+    static constexpr std::size_t chunk = 4096;
+
+    // Whether threads share the work on so many.
+    bool isShared(std::size_t count) const { return count > chunk && threads_ > 1; }
+
+    // Calls function(first, end) for chunks that together make 0 to count, many of them on all threads.
     template<class Function>
     void inChunks(std::size_t count, Function&& function) const {
-        constexpr std::size_t chunk = 4096;
-        const auto work = [&](std::size_t first) {
-            for (std::size_t i = first; i < std::min(first + chunk, count); ++i) function(i);
-        };
-        if (count <= chunk) return work(0);
-        core::parallelFor(static_cast<int>((count + chunk - 1) / chunk), threads_,
-                          [&](int i) { work(static_cast<std::size_t>(i) * chunk); });
+        if (!isShared(count)) return function(0, count);
+        core::parallelFor(static_cast<int>((count + chunk - 1) / chunk), threads_, [&](int i) {
+            const std::size_t first = static_cast<std::size_t>(i) * chunk;
+            function(first, std::min(first + chunk, count));
+        });
+    }
+
+    // value += by, and what it was before. It is much quicker where no other thread sees the value.
+    static std::uint32_t fetchAdd(std::uint32_t& value, std::uint32_t by, bool isShared) {
+        if (isShared) return std::atomic_ref(value).fetch_add(by, std::memory_order_relaxed);
+        return std::exchange(value, value + by);
+    }
+    static void addBits(std::uint64_t& value, std::uint64_t bits, bool isShared) {
+        const std::atomic_ref shared(value);
+        if (!isShared)
+            value |= bits;
+        else if ((shared.load(std::memory_order_relaxed) & bits) == 0)
+            shared.fetch_or(bits, std::memory_order_relaxed);
     }
 
     template<class Function>
     void forEachItem(Items items, Function&& function) const {
-        inChunks(items.size(), [&](std::size_t i) { function(items[i], bounds_[items[i]]); });
+        inChunks(items.size(), [&](std::size_t first, std::size_t end) {
+            for (std::size_t i = first; i < end; ++i) function(items[i], bounds_[items[i]]);
+        });
     }
 
     // Makes the level's bricks, and returns how many of their cells hold anything.
     std::size_t occupy(const Level& level, Items items, std::vector<Brick>& bricks) const {
         bricks.resize(level.brickCount());
-        forEachItem(items, [&](std::uint32_t, const Bounds& bounds) {
+        forEachItem(items, [&, shared = isShared(items.size())](std::uint32_t, const Bounds& bounds) {
             CellRange(level, bounds).forEach(level, [&](std::size_t brick, int bit) {
-                const std::uint64_t mask = std::uint64_t(1) << bit;
-                const std::atomic_ref word(bricks[brick].occupied);
-                if ((word.load(std::memory_order_relaxed) & mask) == 0) word.fetch_or(mask, std::memory_order_relaxed);
+                addBits(bricks[brick].occupied, std::uint64_t(1) << bit, shared);
             });
         });
         std::uint32_t cells = 0;
@@ -189,10 +222,9 @@ private:
                 });
             });
         };
+        const bool shared = isShared(items.size());
         begins.assign(occupied + 1, 0);
-        forEachListing([&](std::uint32_t, std::uint32_t cell) {
-            std::atomic_ref(begins[cell]).fetch_add(1, std::memory_order_relaxed);
-        });
+        forEachListing([&](std::uint32_t, std::uint32_t cell) { fetchAdd(begins[cell], 1, shared); });
         std::uint32_t largest = 0, end = 0;
         for (std::uint32_t& begin : begins) {
             largest = std::max(largest, begin);
@@ -201,39 +233,41 @@ private:
         }
         // Filled from behind, which leaves in `begins` where each begins.
         sorted.resize(end);
-        forEachListing([&](std::uint32_t item, std::uint32_t cell) {
-            sorted[std::atomic_ref(begins[cell]).fetch_sub(1, std::memory_order_relaxed) - 1] = item;
-        });
+        forEachListing(
+            [&](std::uint32_t item, std::uint32_t cell) { sorted[fetchAdd(begins[cell], ~0u, shared) - 1] = item; });
         // Threads came in any order.
-        inChunks(occupied, [&](std::size_t i) { std::sort(&sorted[0] + begins[i], &sorted[0] + begins[i + 1]); });
+        inChunks(occupied, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) std::sort(&sorted[0] + begins[i], &sorted[0] + begins[i + 1]);
+        });
         return largest;
     }
 
     // Gives crowded cells levels of their own.
-    void split(const Part& part, const std::vector<std::uint32_t>& begins, const std::vector<std::uint32_t>& sorted,
-               int depth, std::vector<std::optional<Part>>& inner) const {
-        struct Crowd {
-            std::size_t cell;
-            Bounds box;
+    std::vector<Crowd> split(const Part& part, const std::vector<std::uint32_t>& begins,
+                             const std::vector<std::uint32_t>& sorted, int depth) const {
+        const auto itemsIn = [&](std::size_t cell) {
+            return Items(&sorted[begins[cell]], begins[cell + 1] - begins[cell]);
         };
         std::vector<Crowd> crowds;
         for (std::size_t brick = 0; brick < part.bricks.size(); ++brick) {
             std::uint64_t left = part.bricks[brick].occupied;
             for (std::size_t cell = part.bricks[brick].firstCell; left != 0; ++cell, left &= left - 1) {
                 if (begins[cell + 1] - begins[cell] <= mostInCell) continue;
-                const Items items(&sorted[begins[cell]], begins[cell + 1] - begins[cell]);
-                crowds.push_back({cell, boxIn(part.levels[0], static_cast<int>(brick), std::countr_zero(left), items)});
+                const int bit = std::countr_zero(left);
+                crowds.push_back({cell, boxIn(part.levels[0], static_cast<int>(brick), bit, itemsIn(cell)), {}});
             }
         }
         const auto build = [&](int i) {
-            const auto& [cell, box] = crowds[static_cast<std::size_t>(i)];
-            inner[cell] = levelFor({&sorted[begins[cell]], begins[cell + 1] - begins[cell]}, box, depth + 1);
+            Crowd& crowd = crowds[static_cast<std::size_t>(i)];
+            crowd.inner = levelFor(itemsIn(crowd.cell), crowd.box, depth + 1);
         };
         const int count = static_cast<int>(crowds.size());
         if (depth == 0)
             core::parallelFor(count, threads_, build);
         else
             for (int i = 0; i < count; ++i) build(i);
+        std::erase_if(crowds, [](const Crowd& crowd) { return !crowd.inner; });
+        return crowds;
     }
 
     // What the items of a cell fill of it.
@@ -244,23 +278,39 @@ private:
         return filled;
     }
 
-    // Lists what each cell holds: its items, or a level of its own.
+    // Lists what each cell holds: its items, or a level of its own. crowds: the cells with one, in their order.
     static void finish(Part& part, const std::vector<std::uint32_t>& begins, const std::vector<std::uint32_t>& sorted,
-                       const std::vector<std::optional<Part>>& inner) {
-        part.cells.reserve(begins.size());
+                       const std::vector<Crowd>& crowds) {
+        reserve(part, begins, crowds);
         std::uint32_t levels = 1;
-        for (std::size_t cell = 0; cell < inner.size(); ++cell) {
+        auto crowd = crowds.begin();
+        for (std::size_t cell = 0; cell + 1 < begins.size(); ++cell) {
             part.cells.push_back(static_cast<std::uint32_t>(part.items.size()));
-            if (inner[cell]) {
+            if (crowd != crowds.end() && crowd->cell == cell) {
                 part.items.push_back(levels | Grid::isLevel);
-                levels += static_cast<std::uint32_t>(inner[cell]->levels.size());
+                levels += static_cast<std::uint32_t>(crowd->inner->levels.size());
+                ++crowd;
             } else {
                 part.items.insert(part.items.end(), &sorted[0] + begins[cell], &sorted[0] + begins[cell + 1]);
             }
         }
         part.cells.push_back(static_cast<std::uint32_t>(part.items.size()));
-        for (const auto& behind : inner)
-            if (behind) append(*behind, part);
+        for (const Crowd& behind : crowds) append(*behind.inner, part);
+    }
+
+    // Makes room for just what finish adds.
+    static void reserve(Part& part, const std::vector<std::uint32_t>& begins, const std::vector<Crowd>& crowds) {
+        std::size_t levels = 1, bricks = part.bricks.size(), cells = begins.size(), items = begins.back();
+        for (const Crowd& crowd : crowds) {
+            levels += crowd.inner->levels.size();
+            bricks += crowd.inner->bricks.size();
+            cells += crowd.inner->cells.size();
+            items += crowd.inner->items.size() + 1 - (begins[crowd.cell + 1] - begins[crowd.cell]);
+        }
+        part.levels.reserve(levels);
+        part.bricks.reserve(bricks);
+        part.cells.reserve(cells);
+        part.items.reserve(items);
     }
 
     static void append(const Part& behind, Part& part) {

@@ -1,4 +1,5 @@
 #include "gr/grid_walk.h"
+#include "gr/parts.h"
 #include "gr/two_level_accelerator.h"
 
 namespace gr {
@@ -9,7 +10,9 @@ public:
     GridAccelerator(const Scene& scene, int threads)
         : TwoLevelAccelerator(scene, [threads](std::uint32_t count, const BoundsOf& boundsOf, float errorPerUnit) {
               std::vector<core::Bounds> bounds(count);
-              for (std::uint32_t i = 0; i < count; ++i) bounds[i] = boundsOf(i);
+              inParts(static_cast<int>(count), threads, [&](int first, int end) {
+                  for (int i = first; i < end; ++i) bounds[i] = boundsOf(static_cast<std::uint32_t>(i));
+              });
               return std::make_unique<Grid>(bounds, errorPerUnit, threads);
           }) {}
 
