@@ -2,18 +2,16 @@
 #pragma once
 
 #include "render/film.h"
+#include "render/image.h"
 
 #include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace render {
 
-// What made the picture, as keyword and value; the same for two runs of the same render.
-using Metadata = std::vector<std::pair<std::string, std::string>>;
-
-// The sRGB curve (IEC 61966-2-1), rounded to 8 bits. radiance: linear; below 0 is 0, above 1 is 255.
+// The sRGB curve (IEC 61966-2-1) and its inverse. Both are from 0 to 1.
+double encodeSrgb(double linear);
+double decodeSrgb(double encoded);
+// The curve, rounded to 8 bits. radiance: linear; below 0 is 0, above 1 is 255.
 std::uint8_t toSrgb8(float radiance);
 
 // A picture that is going to be written, in the format that the path's ending names. Throws core::Error at once when
@@ -27,10 +25,24 @@ public:
     // exposure: in stops; formats of linear radiance have no use for it. The file is written beside its place and then
     // renamed. Throws core::Error when the disk is full or the like; nothing is left behind then.
     void write(const Film& film, double exposure, const Metadata& metadata) const;
+    // A picture that was read, from a file with the same ending.
+    void write(const Image& image) const;
+
+    // Throws core::Error where the file would replace that one, by whatever name;
+    void checkIsNot(const std::string& input) const;
+    // and also where it has another ending.
+    void checkAgainst(const std::string& input) const;
 
 private:
+    template<class Write>
+    void writeWith(const Write& write) const;
+
     std::string path_;  // as given, for messages
     std::filesystem::path target_;  // where links lead
 };
+
+// Reads a picture in the format that the path's ending names. Throws core::Error, which names the file, for what is not
+// there or not whole.
+Image readImage(const std::string& path);
 
 }  // namespace render

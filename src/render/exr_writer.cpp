@@ -34,14 +34,19 @@ void keepMessage(exr_const_context_t context, exr_result_t, const char* message)
     if (stream.failure.empty()) stream.failure = std::string("OpenEXR: ") + message;
 }
 
-// A channel of the film: its numbers of a line lie `stride` floats apart, lines follow each other.
+// A channel: its numbers of a line lie `stride` floats apart, lines follow each other.
 struct Channel {
     std::string name;
     const float* firstLine;
     int stride;
 };
 
-std::vector<Channel> channelsOf(const Film& film) {
+struct Picture {
+    Window held, whole;
+    std::vector<Channel> channels;
+};
+
+Picture pictureOf(const Film& film) {
     std::vector<Channel> channels;
     const float* radiance = &film.at(0, film.startLine()).x;
     for (const char* name : {"R", "G", "B"}) channels.push_back({name, radiance++, 3});
@@ -52,7 +57,18 @@ std::vector<Channel> channelsOf(const Film& film) {
             channels.push_back(
                 {std::string(render::channelsOf(layer)[c]), &numbers[c], static_cast<int>(numbers.size())});
     }
-    return channels;
+    return {{0, film.startLine(), film.width(), film.lines()}, {0, 0, film.width(), film.height()}, channels};
+}
+
+Picture pictureOf(const Image& image) {
+    Picture picture{image.held, image.whole, {}};
+    for (const ImageChannel& channel : image.channels)
+        picture.channels.push_back({channel.name, std::get<std::vector<float>>(channel.samples).data(), 1});
+    return picture;
+}
+
+exr_attr_box2i_t boxOf(const Window& window) {
+    return {{window.left, window.top}, {window.left + window.width - 1, window.top + window.height - 1}};
 }
 
 class ExrWriter {
@@ -68,10 +84,9 @@ public:
     ExrWriter(const ExrWriter&) = delete;
     ExrWriter& operator=(const ExrWriter&) = delete;
 
-    void write(const Film& film, const Metadata& metadata) {
-        const std::vector<Channel> channels = channelsOf(film);
-        writeHeader(film, channels, metadata);
-        writeChunks(film, channels);
+    void write(const Picture& picture, const Metadata& metadata) {
+        writeHeader(picture, metadata);
+        writeChunks(picture);
         // The table of where the chunks are.
         check(exr_finish(&context_));
     }
@@ -79,15 +94,14 @@ public:
 private:
     static constexpr int part = 0;
 
-    void writeHeader(const Film& film, const std::vector<Channel>& channels, const Metadata& metadata) {
+    void writeHeader(const Picture& picture, const Metadata& metadata) {
         int added = part;
         check(exr_add_part(context_, nullptr, EXR_STORAGE_SCANLINE, &added));
-        const exr_attr_box2i_t whole{{0, 0}, {film.width() - 1, film.height() - 1}};
-        const exr_attr_box2i_t strip{{0, film.startLine()}, {film.width() - 1, film.startLine() + film.lines() - 1}};
+        const exr_attr_box2i_t whole = boxOf(picture.whole), held = boxOf(picture.held);
         const exr_attr_v2f_t centre{0, 0};
-        check(exr_initialize_required_attr(context_, part, &whole, &strip, 1, &centre, 1, EXR_LINEORDER_INCREASING_Y,
+        check(exr_initialize_required_attr(context_, part, &whole, &held, 1, &centre, 1, EXR_LINEORDER_INCREASING_Y,
                                            EXR_COMPRESSION_ZIP));
-        for (const Channel& channel : channels)
+        for (const Channel& channel : picture.channels)
             check(exr_add_channel(context_, part, channel.name.c_str(), EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC,
                                   1, 1));
         // The primaries and the white of sRGB (ITU-R BT.709).
@@ -108,29 +122,29 @@ private:
         exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
     };
 
-    void writeChunks(const Film& film, const std::vector<Channel>& channels) {
+    void writeChunks(const Picture& picture) {
         int linesPerChunk = 0;
         check(exr_get_scanlines_per_chunk(context_, part, &linesPerChunk));
         Encoder encoder(context_);
-        for (int line = 0; line < film.lines(); line += linesPerChunk)
-            writeChunk(film, channels, line, encoder.pipeline);
+        for (int line = 0; line < picture.held.height; line += linesPerChunk)
+            writeChunk(picture, line, encoder.pipeline);
     }
 
-    // line: the chunk's first, counted in the film.
-    void writeChunk(const Film& film, const std::vector<Channel>& channels, int line, exr_encode_pipeline_t& encoder) {
+    // line: the chunk's first, counted in what is held.
+    void writeChunk(const Picture& picture, int line, exr_encode_pipeline_t& encoder) {
         exr_chunk_info_t chunk;
-        check(exr_write_scanline_chunk_info(context_, part, film.startLine() + line, &chunk));
+        check(exr_write_scanline_chunk_info(context_, part, picture.held.top + line, &chunk));
         check(line == 0 ? exr_encoding_initialize(context_, part, &chunk, &encoder)
                         : exr_encoding_update(context_, part, &chunk, &encoder));
         for (int i = 0; i < encoder.channel_count; ++i) {
             exr_coding_channel_info_t& to = encoder.channels[i];
-            const auto from = std::find_if(channels.begin(), channels.end(),
+            const auto from = std::find_if(picture.channels.begin(), picture.channels.end(),
                                            [&](const Channel& channel) { return channel.name == to.channel_name; });
             const std::size_t lineSize =
-                static_cast<std::size_t>(film.width()) * static_cast<std::size_t>(from->stride);
+                static_cast<std::size_t>(picture.held.width) * static_cast<std::size_t>(from->stride);
             const float* numbers = from->firstLine + static_cast<std::size_t>(line) * lineSize;
             to.user_pixel_stride = from->stride * static_cast<int>(sizeof(float));
-            to.user_line_stride = film.width() * to.user_pixel_stride;
+            to.user_line_stride = picture.held.width * to.user_pixel_stride;
             to.encode_from_ptr = reinterpret_cast<const std::uint8_t*>(numbers);
         }
         if (line == 0) check(exr_encoding_choose_default_routines(context_, part, &encoder));
@@ -150,7 +164,11 @@ private:
 }  // namespace
 
 void writeExr(std::FILE* file, const Film& film, double, const Metadata& metadata) {
-    ExrWriter(file).write(film, metadata);
+    ExrWriter(file).write(pictureOf(film), metadata);
+}
+
+void writeExr(std::FILE* file, const Image& image) {
+    ExrWriter(file).write(pictureOf(image), image.metadata);
 }
 
 }  // namespace render

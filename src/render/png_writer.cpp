@@ -10,10 +10,16 @@
 
 namespace render {
 
+double encodeSrgb(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double decodeSrgb(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 std::uint8_t toSrgb8(float radiance) {
-    const double x = std::clamp(static_cast<double>(radiance), 0.0, 1.0);
-    const double encoded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(encoded * 255 + 0.5);
+    return static_cast<std::uint8_t>(encodeSrgb(std::clamp(static_cast<double>(radiance), 0.0, 1.0)) * 255 + 0.5);
 }
 
 namespace {
@@ -32,6 +38,12 @@ void pngWrite(png_structp png, png_bytep bytes, std::size_t size) {
 }
 void pngFlush(png_structp) {}
 
+struct PngHeader {
+    Window held;
+    bool isPart;
+    int bitDepth, colourType;
+};
+
 class PngWriter {
 public:
     explicit PngWriter(std::FILE* file)
@@ -43,26 +55,12 @@ public:
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    void write(const Film& film, double exposure, const Metadata& metadata) {
-        writeHeader(film, metadata);
-        const float scale = static_cast<float>(std::exp2(exposure));
-        std::vector<png_byte> row(3 * static_cast<std::size_t>(film.width()));
-        for (int y = film.startLine(); y < film.startLine() + film.lines(); ++y) {
-            for (int x = 0; x < film.width(); ++x)
-                for (int channel = 0; channel < 3; ++channel)
-                    row[3 * static_cast<std::size_t>(x) + static_cast<std::size_t>(channel)] =
-                        toSrgb8(film.at(x, y)[channel] * scale);
-            png_write_row(png_, row.data());
-        }
-        png_write_end(png_, nullptr);
-    }
-
-private:
-    void writeHeader(const Film& film, const Metadata& metadata) {
-        png_set_IHDR(png_, info_, static_cast<png_uint_32>(film.width()), static_cast<png_uint_32>(film.lines()), 8,
-                     PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    void writeHeader(const PngHeader& header, const Metadata& metadata) {
+        png_set_IHDR(png_, info_, static_cast<png_uint_32>(header.held.width),
+                     static_cast<png_uint_32>(header.held.height), header.bitDepth, header.colourType,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
-        if (film.lines() != film.height()) png_set_oFFs(png_, info_, 0, film.startLine(), PNG_OFFSET_PIXEL);
+        if (header.isPart) png_set_oFFs(png_, info_, header.held.left, header.held.top, PNG_OFFSET_PIXEL);
         std::vector<png_text> texts;
         for (const auto& [keyword, value] : metadata) {
             png_text text{};
@@ -77,15 +75,63 @@ private:
         png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
         png_write_info(png_, info_);
     }
+    void writeRow(const std::vector<png_byte>& row) { png_write_row(png_, row.data()); }
+    void end() { png_write_end(png_, nullptr); }
 
+private:
     png_structp png_;
     png_infop info_ = nullptr;
 };
 
+// A line of the channels, pixel after pixel; the more significant byte of 16 bits comes first.
+void putLine(const Image& image, int y, std::vector<png_byte>& row) {
+    const std::size_t width = static_cast<std::size_t>(image.held.width), start = static_cast<std::size_t>(y) * width;
+    for (std::size_t c = 0; c < image.channels.size(); ++c) {
+        if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&image.channels[c].samples)) {
+            for (std::size_t x = 0; x < width; ++x) row[x * image.channels.size() + c] = (*bytes)[start + x];
+            continue;
+        }
+        const auto& words = std::get<std::vector<std::uint16_t>>(image.channels[c].samples);
+        for (std::size_t x = 0; x < width; ++x) {
+            png_byte* sample = &row[2 * (x * image.channels.size() + c)];
+            sample[0] = static_cast<png_byte>(words[start + x] >> 8);
+            sample[1] = static_cast<png_byte>(words[start + x] & 0xFF);
+        }
+    }
+}
+
 }  // namespace
 
 void writePng(std::FILE* file, const Film& film, double exposure, const Metadata& metadata) {
-    PngWriter(file).write(film, exposure, metadata);
+    PngWriter png(file);
+    png.writeHeader(
+        {{0, film.startLine(), film.width(), film.lines()}, film.lines() != film.height(), 8, PNG_COLOR_TYPE_RGB},
+        metadata);
+    const float scale = static_cast<float>(std::exp2(exposure));
+    std::vector<png_byte> row(3 * static_cast<std::size_t>(film.width()));
+    for (int y = film.startLine(); y < film.startLine() + film.lines(); ++y) {
+        for (int x = 0; x < film.width(); ++x)
+            for (int channel = 0; channel < 3; ++channel)
+                row[3 * static_cast<std::size_t>(x) + static_cast<std::size_t>(channel)] =
+                    toSrgb8(film.at(x, y)[channel] * scale);
+        png.writeRow(row);
+    }
+    png.end();
+}
+
+void writePng(std::FILE* file, const Image& image) {
+    constexpr int colourTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                   PNG_COLOR_TYPE_RGB_ALPHA};
+    const std::size_t channels = image.channels.size();
+    const bool isDeep = std::holds_alternative<std::vector<std::uint16_t>>(image.channels[0].samples);
+    PngWriter png(file);
+    png.writeHeader({image.held, image.isPart, isDeep ? 16 : 8, colourTypes[channels - 1]}, image.metadata);
+    std::vector<png_byte> row(static_cast<std::size_t>(image.held.width) * channels * (isDeep ? 2 : 1));
+    for (int y = 0; y < image.held.height; ++y) {
+        putLine(image, y, row);
+        png.writeRow(row);
+    }
+    png.end();
 }
 
 }  // namespace render

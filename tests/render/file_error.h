@@ -1,0 +1,21 @@
+// What an error says.
+#pragma once
+
+#include "core/error.h"
+
+#include <string>
+
+namespace render {
+
+// TOPIC REASON [word] message
+template<class Action>
+std::string errorOf(Action&& action) {
+    try {
+        action();
+    } catch (const core::Error& error) {
+        return error.topic + " " + error.reason + " [" + error.word + "] " + error.what();
+    }
+    return "no error";
+}
+
+}  // namespace render
