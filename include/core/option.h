@@ -47,7 +47,8 @@ using Weights = std::array<float, 4>;
 template<class Owner>
 using OptionMember =
     std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*, Vec2f Owner::*,
-                 std::optional<int> Owner::*, std::optional<Weights> Owner::*, Word Owner::*, WordList Owner::*>;
+                 std::optional<int> Owner::*, std::optional<double> Owner::*, std::optional<Weights> Owner::*,
+                 Word Owner::*, WordList Owner::*, std::string Owner::*>;
 
 template<class Owner>
 struct OptionRow {
@@ -85,6 +86,9 @@ inline std::string optionText(double value) {
 inline std::string optionText(Word value) {
     return std::string(value);
 }
+inline std::string optionText(const std::string& fileName) {
+    return fileName;
+}
 inline std::string optionText(const WordList& words) {
     std::string text;
     for (const Word word : words) text += (text.empty() ? "" : " ") + std::string(word);
@@ -104,6 +108,9 @@ inline std::string optionText(const std::optional<Weights>& value) {
 }
 inline std::string optionText(const std::optional<int>& value) {
     return value ? std::to_string(*value) : "";
+}
+inline std::string optionText(const std::optional<double>& value) {
+    return value ? numberText(*value) : "";
 }
 
 // The value that an owner has for a row, as the scene language writes it (a colour without its braces).
@@ -133,6 +140,8 @@ std::string typeText(const OptionRow<Owner>& row) {
         std::string operator()(std::optional<int> Owner::*) const { return "integer"; }
         std::string operator()(std::uint64_t Owner::*) const { return "integer"; }
         std::string operator()(double Owner::*) const { return "number"; }
+        std::string operator()(std::optional<double> Owner::*) const { return "number"; }
+        std::string operator()(std::string Owner::*) const { return "file"; }
         std::string operator()(Rgbf Owner::*) const { return form.empty() ? "{r g b}" : std::string(form); }
         std::string operator()(Vec2f Owner::*) const { return std::string(form); }
         std::string operator()(std::optional<Weights> Owner::*) const { return std::string(form); }

@@ -51,6 +51,14 @@ inline void readOption(double& value, Tcl_Obj* word, std::string_view what, cons
                        std::span<const core::Word>) {
     value = numberFrom(word, what, range);
 }
+inline void readOption(std::optional<double>& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    value = numberFrom(word, what, range);
+}
+inline void readOption(std::string& value, Tcl_Obj* word, std::string_view what, const core::Range&,
+                       std::span<const core::Word>) {
+    value = fileNameFrom(word, what);
+}
 inline void readOption(core::Rgbf& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
                        std::span<const core::Word>) {
     value = core::Rgbf(vectorFrom(word, what, range));

@@ -26,6 +26,7 @@ public:
     glm::dvec3 vector(std::size_t i, std::string_view what, const core::Range& range = core::anyNumber) const;
     core::Rgbf colour(std::size_t i, std::string_view what, const core::Range& range) const;
     std::vector<std::string> strings(std::size_t i, std::string_view what) const;
+    std::string fileName(std::size_t i, std::string_view what) const;
     // How many elements the word has when read as a list; 0 also when it is none.
     std::size_t listLength(std::size_t i) const;
 
@@ -42,6 +43,8 @@ int integerFrom(Tcl_Obj* object, std::string_view what, const core::Range& range
 // A list of as many numbers, two to four, as there is room for in `numbers`.
 void numbersFrom(Tcl_Obj* object, std::string_view what, const core::Range& range, std::span<double> numbers);
 glm::dvec3 vectorFrom(Tcl_Obj* object, std::string_view what, const core::Range& range);
+// A file's name as the system has it: Tcl's own UTF-8 has NUL, and letters beyond the first 65536, in another way.
+std::string fileNameFrom(Tcl_Obj* object, std::string_view what);
 // The word in quotes for a message: one line, its white space as single blanks, cut where it is long.
 std::string quoted(std::string_view word);
 // "{what} must be {expected}, not "word""

@@ -82,24 +82,13 @@ void checkMemory(const RenderJob& job) {
                               core::memoryText(available) + " are free");
 }
 
-// The name as the system has it: Tcl's own UTF-8 has NUL, and letters beyond the first 65536, in another way.
-std::string fileName(Tcl_Obj* word) {
-    const std::string_view text = textOf(word);
-    Tcl_DString native;
-    Tcl_UtfToExternalDString(nullptr, text.data(), static_cast<int>(text.size()), &native);
-    const std::string name(Tcl_DStringValue(&native), static_cast<std::size_t>(Tcl_DStringLength(&native)));
-    Tcl_DStringFree(&native);
-    if (name.find('\0') != std::string::npos) throwBadValue("file", "a name without NUL", word);
-    return name;
-}
-
 }  // namespace
 
 RenderJob readRenderJob(Call& call) {
     RenderJob job;
     job.node = call.words.text(0);
     call.session.database.find(job.node);
-    job.file = fileName(call.words.object(1));
+    job.file = call.words.fileName(1, "file");
     readCamera(call, job);
     readTail(call, job);
     checkLines(job);

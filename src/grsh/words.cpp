@@ -104,6 +104,16 @@ glm::dvec3 vectorFrom(Tcl_Obj* object, std::string_view what, const core::Range&
     return {v[0], v[1], v[2]};
 }
 
+std::string fileNameFrom(Tcl_Obj* object, std::string_view what) {
+    const std::string_view text = textOf(object);
+    Tcl_DString native;
+    Tcl_UtfToExternalDString(nullptr, text.data(), static_cast<int>(text.size()), &native);
+    const std::string name(Tcl_DStringValue(&native), static_cast<std::size_t>(Tcl_DStringLength(&native)));
+    Tcl_DStringFree(&native);
+    if (name.find('\0') != std::string::npos) throwBadValue(what, "a name without NUL", object);
+    return name;
+}
+
 std::string_view Words::text(std::size_t i) const {
     return textOf(words_[i]);
 }
@@ -128,6 +138,10 @@ std::vector<std::string> Words::strings(std::size_t i, std::string_view what) co
     std::vector<std::string> texts;
     for (Tcl_Obj* element : elementsOf(words_[i], what, "a list of names")) texts.emplace_back(textOf(element));
     return texts;
+}
+
+std::string Words::fileName(std::size_t i, std::string_view what) const {
+    return fileNameFrom(words_[i], what);
 }
 
 std::size_t Words::listLength(std::size_t i) const {
