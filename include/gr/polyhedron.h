@@ -82,6 +82,7 @@ public:
     float extent() const { return bounds_.reach(); }  // the largest coordinate
     std::size_t triangleCount() const { return triangleCount_; }
     core::Vec3f vertex(std::uint32_t triangle, int corner) const;
+    std::span<const PackedNormal> normals() const { return normals_; }  // of each triangle's three corners, or none
     std::size_t bytes() const;
 
 private:

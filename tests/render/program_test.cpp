@@ -182,6 +182,8 @@ TEST_F(Program, SaysInThePictureWhatMadeIt) {
     std::map<std::string, std::string> texts = Png(folder / "a.png").texts;
     EXPECT_THAT(texts["Software"], MatchesRegex("grsh [0-9]+[.][0-9]+[.][0-9]+"));
     texts.erase("Software");
+    EXPECT_THAT(texts["grsh:fingerprint"], MatchesRegex("[0-9]+"));
+    texts.erase("grsh:fingerprint");
     EXPECT_THAT(
         texts,
         testing::UnorderedElementsAre(

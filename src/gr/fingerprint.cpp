@@ -1,0 +1,78 @@
+#include "gr/fingerprint.h"
+
+#include "gr/polyhedron.h"
+
+#include <bit>
+#include <unordered_map>
+
+namespace gr {
+namespace {
+
+class Hash {
+public:
+    void add(std::uint64_t word) {
+        state_ = (state_ ^ word) * 0x9E3779B97F4A7C15;
+        state_ ^= state_ >> 32;
+    }
+    void add(float x) { add(std::uint64_t{std::bit_cast<std::uint32_t>(x)}); }
+    void add(const core::Vec3f& v) {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+    }
+    void add(const std::string& text) {
+        for (const char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
+        add(std::uint64_t{text.size()});
+    }
+    void add(const core::Transform& map) {
+        for (const core::Vec3f& row : {map.x, map.y, map.z, map.translation}) add(row);
+    }
+    std::uint64_t value() const { return state_; }
+
+private:
+    std::uint64_t state_ = 0;
+};
+
+void addMaterial(Hash& hash, const materials::Material& material) {
+    hash.add(std::uint64_t{material.index()});
+    const auto add = [&]<class M>(const M& m) {
+        for (const auto& row : M::options()) hash.add(core::optionText(row, m));
+    };
+    std::visit(add, material);
+}
+
+void addPolyhedron(Hash& hash, const Polyhedron& polyhedron) {
+    for (std::uint32_t i = 0; i < polyhedron.triangleCount(); ++i)
+        for (int corner = 0; corner < 3; ++corner) hash.add(polyhedron.vertex(i, corner));
+    for (const PackedNormal normal : polyhedron.normals()) hash.add(std::uint64_t{normal});
+    hash.add(std::uint64_t{polyhedron.triangleCount()});
+}
+
+using Numbers = std::unordered_map<const Polyhedron*, std::uint64_t>;
+
+void addInstance(Hash& hash, const Instance& instance, const Numbers& polyhedra) {
+    hash.add(instance.place.worldFromObject());
+    hash.add(std::uint64_t{instance.shape.index()} << 32 | instance.material);
+    if (const auto* square = std::get_if<Square>(&instance.shape)) hash.add(std::uint64_t{square->light});
+    if (const auto* polyhedron = std::get_if<const Polyhedron*>(&instance.shape)) hash.add(polyhedra.at(*polyhedron));
+}
+
+}  // namespace
+
+std::uint64_t fingerprint(const Scene& scene) {
+    Hash hash;
+    for (const materials::Material& material : scene.materials) addMaterial(hash, material);
+    Numbers polyhedra;
+    for (const auto& polyhedron : scene.polyhedra) {
+        polyhedra.emplace(polyhedron.get(), polyhedra.size());
+        addPolyhedron(hash, *polyhedron);
+    }
+    for (const Instance& instance : scene.instances) addInstance(hash, instance, polyhedra);
+    for (const AreaLight& light : scene.areaLights)
+        for (const core::Vec3f& v : {light.corner, light.edge1, light.edge2, light.normal, light.radiance}) hash.add(v);
+    for (const PointLight& light : scene.pointLights)
+        for (const core::Vec3f& v : {light.position, light.intensity, light.attenuation}) hash.add(v);
+    return hash.value();
+}
+
+}  // namespace gr
