@@ -45,6 +45,7 @@ std::span<const Command> nodeCommands();
 std::span<const Command> materialCommands();
 std::span<const Command> lightCommands();
 std::span<const Command> renderCommands();
+std::span<const Command> imageCommands();
 std::span<const Command> statsCommands();
 std::span<const Command> helpCommands();
 // All of them, in the order in which help lists them.
@@ -53,6 +54,7 @@ std::vector<const Command*> allCommands();
 // The options that a command takes, as text for gr_help; empty for a command without any.
 std::string materialOptionsHelp();
 std::string renderOptionsHelp();
+std::string compareOptionsHelp();
 
 // Creates the commands, and a session that lives as long as the interpreter.
 void registerCommands(Tcl_Interp* interp);

@@ -23,6 +23,7 @@ std::string about(const Command& command) {
     if (!command.alias.empty()) text += "\nolder name: " + std::string(command.alias);
     std::string options;
     if (command.name == "gr_render") options = renderOptionsHelp();
+    if (command.name == "gr_compare") options = compareOptionsHelp();
     if (command.name == "gr_material") options = materialOptionsHelp();
     if (!options.empty()) {
         options.pop_back();

@@ -5,6 +5,7 @@
 #include "core/option.h"
 #include "grsh/commands.h"
 #include "materials/material.h"
+#include "render/compare.h"
 #include "render/settings.h"
 
 #include <array>
@@ -69,6 +70,10 @@ std::string renderTable(const fs::path&) {
     return optionTable(render::RenderSettings::options());
 }
 
+std::string compareTable(const fs::path&) {
+    return optionTable(render::CompareSettings::options());
+}
+
 std::string read(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
@@ -87,11 +92,12 @@ struct Part {
     const char* name;
     std::string (*text)(const fs::path& root);
 };
-constexpr std::array<Part, 4> parts{{
+constexpr std::array<Part, 5> parts{{
     {"README.md", "scenes/hello.gr", smallestScene},
     {"docs/language.md", "commands", commandTable},
     {"docs/language.md", "material options", materialTables},
     {"docs/language.md", "render options", renderTable},
+    {"docs/language.md", "compare options", compareTable},
 }};
 
 // The file's text with the part as the code has it.
