@@ -18,6 +18,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <stdexcept>
 
 namespace render {
 namespace {
@@ -48,7 +49,9 @@ void writeRawPng(
 }
 
 std::vector<int> bytesIn(const Image& image, const std::string& channel) {
-    const auto& samples = std::get<std::vector<std::uint8_t>>(image.find(channel)->samples);
+    const ImageChannel* found = image.find(channel);
+    if (found == nullptr) throw std::runtime_error("no channel " + channel);
+    const auto& samples = std::get<std::vector<std::uint8_t>>(found->samples);
     return {samples.begin(), samples.end()};
 }
 

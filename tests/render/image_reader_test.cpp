@@ -175,6 +175,24 @@ TEST(ImageReader, ReadsEitherByteOrderAndTheScaleOfAPfm) {
     EXPECT_THAT(std::get<2>(readImage(folder / "half.pfm").channels.at(0).samples), ElementsAre(0.75f, -1));
 }
 
+TEST(ImageWriting, LeavesWhatWasThereWhenTheDiskIsFull) {
+    const TemporaryFolder folder;
+    for (const std::string name : {"a.png", "a.exr", "a.pfm"}) {
+        writeText(folder / name, "as it was");
+        const ImageFile file(folder / name);
+        const Image image =
+            name == "a.png" ? randomImage<std::uint8_t>(90, 90, "RGB") : randomImage<float>(90, 90, "BGR");
+        std::string error;
+        {
+            const FullDisk disk(5000);
+            error = errorOf([&] { file.write(image); });
+        }
+        EXPECT_THAT(error, testing::HasSubstr("cannot write \"" + (folder / name) + "\": ")) << name;
+        EXPECT_EQ(bytesOf(folder / name), "as it was");
+    }
+    EXPECT_THAT(folder.names(), testing::UnorderedElementsAre("a.png", "a.exr", "a.pfm"));
+}
+
 TEST(ImageFileCheck, NeverWritesOverWhatItReads) {
     const TemporaryFolder folder;
     writeText(folder / "a.png", "a");
