@@ -13,12 +13,12 @@ namespace render {
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 // Pixel after pixel, line after line from the top: 8 or 16 bits of a PNG, or floats.
-using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
+using PixelNumbers = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>>;
 
 struct ImageChannel {
     std::string
         name;  // R, G, B; Y of a grey picture; A: how much a pixel covers; and whatever else an OpenEXR file has
-    Samples samples;
+    PixelNumbers samples;
 };
 
 struct Window {

@@ -24,11 +24,8 @@ std::string scriptName(Tcl_Interp* interp) {
 }
 
 // What made the picture; nothing that another run of the same render would have different.
-<<<<<<< HEAD
-render::Metadata metadataOf(const RenderJob& job, const render::RenderResult& result, Tcl_Interp* interp) {
-=======
-render::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, Tcl_Interp* interp) {
->>>>>>> 584f277 (Strips put together; a picture tells which scene it shows)
+render::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, const render::RenderResult& result,
+                            Tcl_Interp* interp) {
     const auto vector = [](const glm::dvec3& v) {
         return core::numberText(v.x) + " " + core::numberText(v.y) + " " + core::numberText(v.z);
     };
@@ -124,14 +121,10 @@ Tcl_Obj* renderCommand(Call& call) {
     if (!result.finished) throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");
 
     // Write the picture, and say what was done.
-<<<<<<< HEAD
-    file.write(film, job.settings.exposure, metadataOf(job, result, call.interp));
+    file.write(film, job.settings.exposure, metadataOf(job, scene, result, call.interp));
     warnOfNoise(call, job, result);
     const std::size_t pictureBytes =
         film.bytes() + static_cast<std::size_t>(render::sumBytesFor(job.settings, job.width, job.lines()));
-=======
-    file.write(film, job.settings.exposure, metadataOf(job, scene, call.interp));
->>>>>>> 584f277 (Strips put together; a picture tells which scene it shows)
     const RenderReport report{result,        *accelerator, buildSeconds, renderSeconds, secondsSince(start),
                               scene.bytes(), pictureBytes};
     if (job.settings.progress) printSummary(report, job);

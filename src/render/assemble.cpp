@@ -107,7 +107,7 @@ void checkLines(const std::vector<Strip>& strips) {
     checkGap(height, "the bottom");
 }
 
-void append(Samples& to, const Samples& from) {
+void append(PixelNumbers& to, const PixelNumbers& from) {
     const auto add = [&]<class Number>(std::vector<Number>& numbers) {
         const auto& more = std::get<std::vector<Number>>(from);
         numbers.insert(numbers.end(), more.begin(), more.end());
