@@ -12,7 +12,8 @@ struct Frame {
     // normal: of unit length. Duff et al., "Building an Orthonormal Basis, Revisited" (JCGT 2017): no branch, and
     // no direction in which the frame degenerates.
     explicit Frame(const Vec3<Real>& normal) : z(normal) {
-        const Real sign = copysign(Real(1), normal.z);
+        // Not copysign: lanes may differ in the sign of a zero.
+        const Real sign = select(normal.z < Real(0), Real(-1), Real(1));
         const Real a = Real(-1) / (sign + normal.z);
         const Real b = normal.x * normal.y * a;
         x = {Real(1) + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};

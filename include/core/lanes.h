@@ -65,10 +65,8 @@ using xsimd::all;
 using xsimd::any;
 
 using std::abs;
-using std::copysign;
 using std::sqrt;
 using xsimd::abs;
-using xsimd::copysign;
 using xsimd::sqrt;
 
 // Where just one of the two is true. (Not a != b: on SSE xsimd compares masks as numbers, and true is not a number.)

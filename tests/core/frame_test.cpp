@@ -56,6 +56,18 @@ TEST(Frame, TakesTheNormalToZ) {
     }
 }
 
+// Lanes of different widths negate a zero differently. Seen to fail with copysign in place of the comparison.
+TEST(Frame, IsTheSameForBothZeros) {
+    support::TestRandom random(4);
+    for (int i = 0; i < 100; ++i) {
+        const double angle = 2 * M_PI * random.next();
+        const Vec3f normal(std::cos(angle), std::sin(angle), 0);
+        const Frame<float> frame(normal), other(Vec3f(normal.x, normal.y, -0.f));
+        EXPECT_EQ(frame.x, other.x) << text(normal);
+        EXPECT_EQ(frame.y, other.y) << text(normal);
+    }
+}
+
 TEST(Frame, GoesThereAndBack) {
     support::TestRandom random(3);
     const auto coordinate = [&random] { return 2 * random.next() - 1; };
