@@ -63,12 +63,17 @@ std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, int threads);
 std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads);
 bool isEmbreeInstalled();
 
-// Of the three the one that is fastest for the scene; it says why.
-std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads);
+// So many objects are tested, four at once, before a tree's first box is; so many where many rays are tested at once.
+inline constexpr std::size_t fewForOneRay = 20;
+inline constexpr std::size_t fewForManyRays = 64;
+
+// Of the three the one that is fastest for the scene; it says why. few: objects are all tested.
+std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads, std::size_t few = fewForOneRay);
 
 // What an accelerator may be called.
 std::span<const core::Word> acceleratorNames();
-// name: one of them.
-std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads);
+// name: one of them. few: see makeFastestAccelerator.
+std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads,
+                                             std::size_t few = fewForOneRay);
 
 }  // namespace gr

@@ -59,7 +59,8 @@ private:
         const Vec3 inPlane = ray.direction * t - way;
         const Real u = glm::dot(lanes(face.toU), inPlane), v = glm::dot(lanes(face.toV), inPlane);
         const Real length = core::abs(way.x) + core::abs(way.y) + core::abs(way.z);
-        const Real hair = (length * Real(face.slack) + Real(0x1p-19f)) * core::abs(inverse);
+        const Real rounding = (length * Real(face.slack) + Real(0x1p-19f)) * core::abs(inverse);
+        const Real hair = core::min(rounding, Real(0x1p-10f));
         const Real half(0.5f);
         const Mask inside = isTriangle ? (core::min(u, v) >= -hair) & (u + v <= Real(1) + hair)
                                        : core::max(core::abs(u - half), core::abs(v - half)) <= half + hair;

@@ -10,23 +10,22 @@ namespace {
 
 struct Row {
     core::Word name;
-    std::unique_ptr<Accelerator> (*make)(const Scene& scene, int threads);
+    std::unique_ptr<Accelerator> (*make)(const Scene& scene, int threads, std::size_t few);
 };
 
 constexpr std::array<Row, 5> rows{{
-    {"off", [](const Scene& scene, int) { return makeNoAccelerator(scene); }},
-    {"on", makeGridAccelerator},
-    {"grid", makeGridAccelerator},
-    {"embree", makeEmbreeAccelerator},
+    {"off", [](const Scene& scene, int, std::size_t) { return makeNoAccelerator(scene); }},
+    {"on", [](const Scene& scene, int threads, std::size_t) { return makeGridAccelerator(scene, threads); }},
+    {"grid", [](const Scene& scene, int threads, std::size_t) { return makeGridAccelerator(scene, threads); }},
+    {"embree", [](const Scene& scene, int threads, std::size_t) { return makeEmbreeAccelerator(scene, threads); }},
     {"auto", makeFastestAccelerator},
 }};
 
 }  // namespace
 
-// docs/performance.md tells how that was measured: few objects are tested, four at once, before a tree's first box is;
-// a grid is the fastest where objects lie evenly; else many are found best by Embree, where it is installed.
-std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads) {
-    constexpr std::size_t few = 20;
+// docs/performance.md tells how that was measured: few objects are tested before a tree's first box is; a grid is the
+// fastest where objects lie evenly; else many are found best by Embree, where it is installed.
+std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads, std::size_t few) {
     std::unique_ptr<Accelerator> fastest;
     std::string reason = "chosen for " + std::to_string(scene.objectCount()) + " objects";
     if (scene.objectCount() <= few) {
@@ -52,9 +51,9 @@ std::span<const core::Word> acceleratorNames() {
     return names;
 }
 
-std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads) {
+std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads, std::size_t few) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.name == name; });
-    return row->make(scene, threads);
+    return row->make(scene, threads, few);
 }
 
 }  // namespace gr
