@@ -76,6 +76,30 @@ TEST(SquareToUniformHemisphere, IsToldFromWrongSamplersAndPdfs) {
     EXPECT_FALSE(right.test(tooLarge).accepted);
 }
 
+support::SphereHistogram cosineSamples(const Vec3f& scale) {
+    support::SphereHistogram histogram;
+    support::TestRandom random(1);
+    for (int i = 0; i < samples; ++i) {
+        const double u = random.next();
+        const double v = random.next();
+        const Vec3f d = glm::normalize(squareToCosineHemisphere(Vec2f(u, v)) * scale);
+        histogram.add(d.x, d.y, d.z);
+    }
+    return histogram;
+}
+
+// Planted faults: directions a hair too steep, the uniform density, and a density 2 % too large. All are rejected.
+TEST(SquareToCosineHemisphere, FollowsItsPdf) {
+    const auto pdf = [](double x, double y, double z) { return cosineHemispherePdfW(Vec3f(x, y, z)); };
+    const auto right = cosineSamples(Vec3f(1));
+    const auto result = right.test(pdf);
+    EXPECT_TRUE(result.accepted) << result.text;
+    EXPECT_NEAR(result.integral, 1, 1e-3);
+    EXPECT_FALSE(cosineSamples({1, 1, 1.02f}).test(pdf).accepted);
+    EXPECT_FALSE(right.test(pdfW).accepted);
+    EXPECT_FALSE(right.test([&](double x, double y, double z) { return 1.02 * pdf(x, y, z); }).accepted);
+}
+
 TEST(SquareToUniformHemisphere, MapsTheEdgesOfTheSquare) {
     EXPECT_EQ(squareToUniformHemisphere(Vec2f(1, 0.3f)), Vec3f(0, 0, 1));
     EXPECT_EQ(squareToUniformHemisphere(Vec2f(0, 0)), Vec3f(1, 0, 0));
