@@ -13,7 +13,8 @@ struct Face {
     core::Vec3f toU, toV;  // of the way from the corner to a point corner + u edge1 + v edge2 they make u and v
     core::Vec3f tangent;  // see gr::SurfacePoint
     float error, errorPerUnit;  // see gr::Instance
-    float slack;  // how much rounding moves u and v of a ray's end, at right angles to the face, per length of the ray
+    float extent;  // the sum of its edges along the axes
+    float reachU, reachV;  // the sum of toU, of toV, along the axes
     float margin;  // over the error: how much of u, of v and of 1 - u - v a point should keep from the edges
     float material, light;  // indices; light is -1 where nothing shines
 };

@@ -48,22 +48,27 @@ private:
         Real t, u, v;
         Mask isInside;
     };
-    // A face is taken a hair too large, by what rounding may move the place, which is the more the flatter the ray
-    // comes: nothing slips through between two of them.
+    // A face is taken a hair too large, by what rounding may move the place where the ray meets its plane: along the
+    // ray by as much as t is off, which is the more the flatter it comes, and all round by as much as the way to the
+    // face is. So nothing slips through between two faces. It is less than the step off a surface, or a ray that leaves
+    // one along it would meet what is beyond the next edge.
     template<bool isTriangle>
     static Crossing cross(const core::Ray<Real>& ray, const Face& face) {
         const Vec3 way = lanes(face.corner) - ray.origin;
-        const Vec3 normal = lanes(face.normal);
+        const Vec3 normal = lanes(face.normal), toU = lanes(face.toU), toV = lanes(face.toV);
         const Real inverse = Real(1) / glm::dot(normal, ray.direction);
         const Real t = glm::dot(normal, way) * inverse;
         const Vec3 inPlane = ray.direction * t - way;
-        const Real u = glm::dot(lanes(face.toU), inPlane), v = glm::dot(lanes(face.toV), inPlane);
-        const Real length = core::abs(way.x) + core::abs(way.y) + core::abs(way.z);
-        const Real rounding = (length * Real(face.slack) + Real(0x1p-19f)) * core::abs(inverse);
-        const Real hair = core::min(rounding, Real(0x1p-10f));
-        const Real half(0.5f);
-        const Mask inside = isTriangle ? (core::min(u, v) >= -hair) & (u + v <= Real(1) + hair)
-                                       : core::max(core::abs(u - half), core::abs(v - half)) <= half + hair;
+        const Real u = glm::dot(toU, inPlane), v = glm::dot(toV, inPlane);
+        const Real rounding =
+            (core::abs(way.x) + core::abs(way.y) + core::abs(way.z) + Real(face.extent)) * Real(0x1p-24f);
+        const auto hair = [&](const Vec3& to, float reach) {
+            return rounding * (core::abs(glm::dot(to, ray.direction) * inverse) + Real(reach));
+        };
+        const Real hairU = hair(toU, face.reachU), hairV = hair(toV, face.reachV);
+        const Real half(0.5f), one(1);
+        const Mask inside = isTriangle ? (u >= -hairU) & (v >= -hairV) & (u + v <= one + (hairU + hairV))
+                                       : (core::abs(u - half) <= half + hairU) & (core::abs(v - half) <= half + hairV);
         return {t, u, v, inside};
     }
 

@@ -83,11 +83,10 @@ private:
         // A step of the error's 2.4-fold along each axis, across an edge that meets its neighbour at 15 degrees.
         const auto reach = [](const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
         const auto margin = static_cast<float>(4 * 2.4 * std::max({reach(toU), reach(toV), reach(toU + toV)}));
-        // The way from the ray's origin to the corner, and that to the plane, are each off by a 2^-24th of their length
-        // along each axis. That twice, and as much for what follows.
-        const auto slack = static_cast<float>(0x1p-22 * std::max({reach(toU), reach(toV), reach(toU + toV)}));
+        const auto extent = static_cast<float>(reach(edge1) + reach(edge2));
         faces.push_back({Vec3f(c[0]), normal, Vec3f(edge1), Vec3f(edge2), Vec3f(toU), Vec3f(toV), surface.tangent(),
-                         instance.error, instance.errorPerUnit(), slack, margin, static_cast<float>(instance.material),
+                         instance.error, instance.errorPerUnit(), extent, static_cast<float>(reach(toU)),
+                         static_cast<float>(reach(toV)), margin, static_cast<float>(instance.material),
                          static_cast<float>(light)});
     }
 
