@@ -127,7 +127,7 @@ public:
             if (!core::all(paths.alive)) next = start(paths, view, block, next, samples.rays);
             const std::uint32_t before = core::bitsOf(paths.alive);
             if (before == 0) return;
-            goOn(paths, samples);
+            goOn(paths, view.camera, samples);
             store(paths, before & ~core::bitsOf(paths.alive), samples);
         }
     }
@@ -216,13 +216,13 @@ private:
     }
 
     // Takes every path to its next surface point, and on from there: physics.md in a page.
-    void goOn(Paths<Real>& paths, Samples& samples) const {
+    void goOn(Paths<Real>& paths, const Camera& camera, Samples& samples) const {
         RayCounts& rays = samples.rays;
         // Find the nearest surface; a path that leaves the scene ends in the background.
         const LaneSurface<Real> surface = tracer_.nearest(paths.ray, paths.alive, rays.traversal);
         const Mask<Real> isMet = paths.alive & surface.isMet();
         const ShadingPoints<Real> points(scene_, paths.ray, surface, isMet & (surface.light < Real(0)));
-        if (!samples.first.empty()) tellFirst(paths, points, isMet, samples);
+        if (!samples.first.empty()) tellFirst(paths, points, camera.depth(paths.ray, surface.t), isMet, samples);
 
         // On the way there a medium absorbs.
         if (scene_.hasDielectrics) {
@@ -281,9 +281,9 @@ private:
         count(rays, paths.alive, next);
     }
 
-    void tellFirst(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isMet,
-                   Samples& samples) const {
-        const core::LaneArray<Real> t(points.surface.t), x(points.frame.z.x), y(points.frame.z.y), z(points.frame.z.z),
+    void tellFirst(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Real& depth,
+                   const Mask<Real>& isMet, Samples& samples) const {
+        const core::LaneArray<Real> t(depth), x(points.frame.z.x), y(points.frame.z.y), z(points.frame.z.z),
             material(points.surface.material), light(points.surface.light);
         const std::uint32_t first = core::bitsOf(isMet & (paths.surfacePoints == Real(0)));
         core::forEachLane(first, [&](int lane) {

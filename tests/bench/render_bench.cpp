@@ -1,6 +1,7 @@
 // The integrators on a Cornell box, beside the bare loop over the same box, on one thread.
 #include "bare_loop.h"
 #include "gr/database.h"
+#include "render/lanes_choice.h"
 #include "render/render.h"
 
 #include <benchmark/benchmark.h>
@@ -40,20 +41,23 @@ void buildCornell(gr::Database& database) {
     block("tall", 330, 368, 351, 17);
 }
 
-void cornellReport(benchmark::State& state) {
+// What the integrator named in the settings makes of it.
+void renderCornell(benchmark::State& state, render::RenderSettings settings) {
     gr::Database database;
     buildCornell(database);
     const gr::Scene scene = gr::compile(database, ":", {});
     const auto accelerator = gr::makeNoAccelerator(scene);
-    render::RenderSettings settings;
     settings.globalIllumination = true;
     settings.antialiasing = true;
     settings.pathLength = 6;
     settings.samplesPerPixel = 4;
-    settings.threads = static_cast<int>(state.range(0));
-    const auto integrator =
-        render::makeReportIntegrator(scene, *accelerator, settings, core::Rgbf(0), core::Vec3f(278, 278, -800));
-    const render::Camera camera({278, 278, -800}, {0, 0, 1}, {0, 1, 0}, 38, 128, 128);
+    const core::Vec3f eye(278, 278, -800);
+    std::unique_ptr<render::Integrator> integrator;
+    if (settings.integrator == "report")
+        integrator = render::makeReportIntegrator(scene, *accelerator, settings, core::Rgbf(0), eye);
+    else
+        integrator = render::makePathIntegrator(scene, *accelerator, settings, core::Rgbf(0), eye);
+    const render::Camera camera(glm::dvec3(eye), {0, 0, 1}, {0, 1, 0}, 38, 128, 128);
     std::uint64_t rays = 0;
     const std::atomic<bool> stop{false};
     for (auto _ : state) {
@@ -63,12 +67,43 @@ void cornellReport(benchmark::State& state) {
     }
     state.counters["Mrays/s"] = benchmark::Counter(static_cast<double>(rays) * 1e-6, benchmark::Counter::kIsRate);
 }
+
+void cornellReport(benchmark::State& state) {
+    render::RenderSettings settings;
+    settings.integrator = "report";
+    settings.threads = static_cast<int>(state.range(0));
+    renderCornell(state, settings);
+}
 BENCHMARK(cornellReport)
     ->Name("cornell/report/float/threads")
     ->Arg(1)
     ->Arg(2)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+void cornellPath(benchmark::State& state, core::Word lanes, int threads) {
+    render::RenderSettings settings;
+    settings.lanes = lanes;
+    settings.threads = threads;
+    try {
+        render::checkLanes(lanes);
+    } catch (const core::Error& error) {
+        state.SkipWithError(error.what());
+        return;
+    }
+    renderCornell(state, settings);
+}
+#define BENCHMARK_PATH(name, lanes, threads)             \
+    BENCHMARK_CAPTURE(cornellPath, name, lanes, threads) \
+        ->Name("cornell/path/" #name)                    \
+        ->UseRealTime()                                  \
+        ->Unit(benchmark::kMillisecond)
+BENCHMARK_PATH(float, "float", 1);
+BENCHMARK_PATH(sse4 .2, "sse4.2", 1);
+BENCHMARK_PATH(avx2, "avx2", 1);
+BENCHMARK_PATH(avx512, "avx512", 1);
+BENCHMARK_PATH(auto / threads / 2, "auto", 2);
+BENCHMARK_PATH(auto / threads / 1, "auto", 1);
 
 void cornellBareLoop(benchmark::State& state) {
     std::uint64_t rays = 0;

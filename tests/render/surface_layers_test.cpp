@@ -15,12 +15,21 @@ constexpr int width = 40, height = 30;
 const glm::dvec3 eye(1, -2, 9), view = glm::normalize(glm::dvec3(-0.1, 0.25, -1));
 const Camera camera(eye, view, {0.1, 2, 0.3}, 60, width, height);
 
-// One sample through the centre of each pixel.
-Film picture(const TestScene& scene, const Camera& camera = render::camera, const glm::dvec3& eye = render::eye) {
-    RenderSettings settings = scene.settings;
-    settings.samplesPerPixel = 1;
-    return layersOf(Radiometer(scene, eye).integrator(), camera, settings, Film(width, height, 0, height, everyLayer));
-}
+// One sample through the centre of each pixel, with either integrator.
+class SurfaceLayers : public testing::TestWithParam<const char*> {
+protected:
+    static Film picture(const TestScene& scene, const Camera& camera = render::camera,
+                        const glm::dvec3& eye = render::eye) {
+        RenderSettings settings = scene.settings;
+        settings.samplesPerPixel = 1;
+        const Radiometer radiometer(scene, eye);
+        const bool isPath = std::string_view(GetParam()) == "path";
+        return layersOf(isPath ? radiometer.pathIntegrator() : radiometer.integrator(), camera, settings,
+                        Film(width, height, 0, height, everyLayer));
+    }
+};
+INSTANTIATE_TEST_SUITE_P(By, SurfaceLayers, testing::Values("report", "path"),
+                         [](const auto& info) { return std::string(info.param); });
 
 void expectNothing(const Film& film, int x, int y) {
     EXPECT_EQ(vectorAt(film, Layer::albedo, x, y), Rgbf(0));
@@ -28,7 +37,7 @@ void expectNothing(const Film& film, int x, int y) {
     EXPECT_EQ(numberAt(film, Layer::depth, x, y), core::infinity);
 }
 
-TEST(SurfaceLayers, AreThoseOfASphere) {
+TEST_P(SurfaceLayers, AreThoseOfASphere) {
     const glm::dvec3 centre(0.3, -0.2, 0.5);
     const double radius = 2;
     const Rgbf colour(0.8f, 0.3f, 0.1f);
@@ -58,7 +67,7 @@ TEST(SurfaceLayers, AreThoseOfASphere) {
     EXPECT_GT(missed, 500);
 }
 
-TEST(SurfaceLayers, HaveNormalsThatFaceTheEye) {
+TEST_P(SurfaceLayers, HaveNormalsThatFaceTheEye) {
     TestScene scene;
     scene.add("room", gr::SphereNode{eye + glm::dvec3(0.5, 0, 0), 3}, Rgbf(0.5f));
     scene.settings.globalIllumination = true;  // what comes after the first surface is not told
@@ -77,7 +86,7 @@ TEST(SurfaceLayers, HaveNormalsThatFaceTheEye) {
 }
 
 // The same depth all over a wall across the view, through a lens too: what is in focus has the focal distance.
-TEST(SurfaceLayers, HaveTheDepthAlongTheView) {
+TEST_P(SurfaceLayers, HaveTheDepthAlongTheView) {
     TestScene scene;
     scene.add("wall", gr::BoxNode{{-50, -50, -2}, {100, 100, 1}}, Rgbf(0.5f));
     for (const double aperture : {0.0, 0.5}) {
@@ -105,7 +114,7 @@ Film ceiling(const materials::Material& material) {
     return lookUp(scene);
 }
 
-TEST(SurfaceLayers, HaveTheAlbedoOfTheMaterial) {
+TEST_P(SurfaceLayers, HaveTheAlbedoOfTheMaterial) {
     const Rgbf red(0.9f, 0.2f, 0.1f), gold(0.8f, 0.6f, 0.1f);
     const materials::Shirley metal{.diffuse = red, .specular = gold};
     const std::pair<materials::Material, Rgbf> expected[] = {{materials::Diffuse{red}, red},
@@ -120,7 +129,7 @@ TEST(SurfaceLayers, HaveTheAlbedoOfTheMaterial) {
     }
 }
 
-TEST(SurfaceLayers, HaveLampsThatReflectNothing) {
+TEST_P(SurfaceLayers, HaveLampsThatReflectNothing) {
     TestScene scene;
     scene.addAreaLight("lamp", Rgbf(5, 4, 3), {0, 2, 0}, 9);
     const Film film = lookUp(scene);
@@ -130,7 +139,7 @@ TEST(SurfaceLayers, HaveLampsThatReflectNothing) {
     EXPECT_EQ(vectorAt(film, Layer::variance, 0, 1), Rgbf(0)) << "it has no noise";
 }
 
-TEST(SurfaceLayers, AreThereWhereTheSceneIsNot) {
+TEST_P(SurfaceLayers, AreThereWhereTheSceneIsNot) {
     TestScene scene;
     scene.settings.background = Rgbf(2);
     const Film film = picture(scene);
@@ -140,7 +149,7 @@ TEST(SurfaceLayers, AreThereWhereTheSceneIsNot) {
 }
 
 // Pixel (0, 0), from -1 to 0 at distance 1, is half covered; of its 4 x 4 samples, spread evenly, 8 meet the wall.
-TEST(SurfaceLayers, AreMeansOverThePixel) {
+TEST_P(SurfaceLayers, AreMeansOverThePixel) {
     TestScene scene;
     const Rgbf colour(0.5f, 0.25f, 1);
     scene.addPolygon("wall", {{-9, -9, -2}, {-1, -9, -2}, {-1, 9, -2}, {-9, 9, -2}}, colour);

@@ -57,11 +57,13 @@ public:
     explicit Radiometer(const TestScene& scene, const glm::dvec3& eye = {0, 0, 0})
         : scene_(gr::compile(scene.database, ":", scene.pointLights)),
           accelerator_(gr::makeNoAccelerator(scene_)),
-          integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient, core::Vec3f(eye))) {}
+          integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient, core::Vec3f(eye))),
+          path_(makePathIntegrator(scene_, *accelerator_, scene.settings, scene.ambient, core::Vec3f(eye))) {}
     Radiometer(const Radiometer&) = delete;
     Radiometer& operator=(const Radiometer&) = delete;
 
     const ScalarIntegrator& integrator() const { return *integrator_; }
+    const Integrator& pathIntegrator() const { return *path_; }
 
     // One path.
     core::Rgbf sample(const core::Rayf& ray, std::uint64_t seed, int number) const {
@@ -82,6 +84,7 @@ private:
     gr::Scene scene_;
     std::unique_ptr<gr::Accelerator> accelerator_;
     std::unique_ptr<ScalarIntegrator> integrator_;
+    std::unique_ptr<Integrator> path_;
 };
 
 }  // namespace render
