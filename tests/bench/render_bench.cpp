@@ -93,17 +93,18 @@ void cornellPath(benchmark::State& state, core::Word lanes, int threads) {
     }
     renderCornell(state, settings);
 }
-#define BENCHMARK_PATH(name, lanes, threads)             \
-    BENCHMARK_CAPTURE(cornellPath, name, lanes, threads) \
-        ->Name("cornell/path/" #name)                    \
-        ->UseRealTime()                                  \
-        ->Unit(benchmark::kMillisecond)
-BENCHMARK_PATH(float, "float", 1);
-BENCHMARK_PATH(sse4 .2, "sse4.2", 1);
-BENCHMARK_PATH(avx2, "avx2", 1);
-BENCHMARK_PATH(avx512, "avx512", 1);
-BENCHMARK_PATH(auto / threads / 2, "auto", 2);
-BENCHMARK_PATH(auto / threads / 1, "auto", 1);
+void addPath(const char* name, core::Word lanes, int threads) {
+    benchmark::RegisterBenchmark(name, cornellPath, lanes, threads)->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+const bool pathsAreAdded = [] {
+    addPath("cornell/path/float", "float", 1);
+    addPath("cornell/path/sse4.2", "sse4.2", 1);
+    addPath("cornell/path/avx2", "avx2", 1);
+    addPath("cornell/path/avx512", "avx512", 1);
+    addPath("cornell/path/auto/threads/1", "auto", 1);
+    addPath("cornell/path/auto/threads/2", "auto", 2);
+    return true;
+}();
 
 void cornellBareLoop(benchmark::State& state) {
     std::uint64_t rays = 0;
