@@ -21,7 +21,8 @@ proc render {side} {
         foreach accelerator $::accelerators {
             set key $side,$accelerator
             if {[info exists spent($key)] && $spent($key) > $::enough_seconds} continue
-            set result [performance::render balls.png $::size accelerator $accelerator {*}$::options progress off]
+            set result [performance::render balls.png $::size accelerator $accelerator {*}$::options \
+                integrator report progress off]
             lappend results($key) $result
             set spent($key) [expr {[dict get $result seconds] + ([info exists spent($key)] ? $spent($key) : 0)}]
         }

@@ -11,7 +11,7 @@ foreach {shape n} {square 32  square 100  square 320  square 1000  cube 10  cube
     foreach accelerator {grid embree} {set best($accelerator) Inf}
     for {set round 0} {$round < $rounds} {incr round} {
         foreach accelerator {grid embree} {
-            set result [performance::render $picture 300 accelerator $accelerator threads 1 samplesperpixel 16 \
+            set result [performance::render $picture 300 accelerator $accelerator integrator report threads 1 samplesperpixel 16 \
                 progress off]
             set best($accelerator) [expr {min($best($accelerator), [dict get $result rendering])}]
             set build($accelerator) [dict get $result build]
