@@ -63,17 +63,13 @@ std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, int threads);
 std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads);
 bool isEmbreeInstalled();
 
-// So many objects are tested, four at once, before a tree's first box is; so many where many rays are tested at once.
-inline constexpr std::size_t fewForOneRay = 20;
-inline constexpr std::size_t fewForManyRays = 64;
-
-// Of the three the one that is fastest for the scene; it says why. few: objects are all tested.
-std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads, std::size_t few = fewForOneRay);
+// Of the three the one that is fastest for the scene; it says why. manyRays: where all objects are tested, it is for
+// many rays at once.
+std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads, bool manyRays = false);
 
 // What an accelerator may be called.
 std::span<const core::Word> acceleratorNames();
-// name: one of them. few: see makeFastestAccelerator.
-std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads,
-                                             std::size_t few = fewForOneRay);
+// name: one of them. manyRays: see makeFastestAccelerator.
+std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads, bool manyRays = false);
 
 }  // namespace gr

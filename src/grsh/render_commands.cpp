@@ -110,9 +110,8 @@ Tcl_Obj* renderCommand(Call& call) {
 
     // Render.
     const auto buildStart = std::chrono::steady_clock::now();
-    const auto accelerator =
-        gr::makeAccelerator(job.settings.accelerator, scene, core::threadCount(job.settings.threads),
-                            job.settings.integrator == "path" ? gr::fewForManyRays : gr::fewForOneRay);
+    const auto accelerator = gr::makeAccelerator(
+        job.settings.accelerator, scene, core::threadCount(job.settings.threads), job.settings.integrator == "path");
     const double buildSeconds = secondsSince(buildStart);
     const auto integrator = makeIntegrator(job, scene, *accelerator);
     render::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());

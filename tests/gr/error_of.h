@@ -2,21 +2,13 @@
 #pragma once
 
 #include "gr/database.h"
+#include "support/error_of.h"
 
 #include <gtest/gtest.h>
 
 namespace gr {
 
-// TOPIC REASON [word] message
-template<class Action>
-std::string errorOf(Action&& action) {
-    try {
-        action();
-    } catch (const core::Error& error) {
-        return error.topic + " " + error.reason + " [" + error.word + "] " + error.what();
-    }
-    return "no error";
-}
+using support::errorOf;
 
 template<class Action>
 void expectError(const Database& database, Action&& action, const std::string& expected) {

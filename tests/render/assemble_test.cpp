@@ -1,15 +1,17 @@
 // Strips put together, and those that do not belong together.
 #include "render/assemble.h"
 
-#include "render/file_error.h"
 #include "render/grsh_process.h"
 #include "render/image_samples.h"
 #include "render/temporary_folder.h"
+#include "support/error_of.h"
 
 #include <gmock/gmock.h>
 
 namespace render {
 namespace {
+
+using support::errorOf;
 
 // Lines first to last of a picture of 3 x 10 pixels whose samples are their own line's number.
 Strip strip(const std::string& path, int first, int last) {

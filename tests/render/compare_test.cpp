@@ -1,13 +1,15 @@
 // The figures of two pictures, worked out by hand.
 #include "render/compare.h"
 
-#include "render/file_error.h"
 #include "render/image_samples.h"
+#include "support/error_of.h"
 
 #include <gmock/gmock.h>
 
 namespace render {
 namespace {
+
+using support::errorOf;
 
 using core::Rgbf;
 

@@ -1,7 +1,7 @@
 // Pictures that other programs write.
-#include "render/file_error.h"
 #include "render/image_file.h"
 #include "render/temporary_folder.h"
+#include "support/error_of.h"
 
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
@@ -22,6 +22,8 @@
 
 namespace render {
 namespace {
+
+using support::errorOf;
 
 using testing::ElementsAre;
 using testing::EndsWith;

@@ -1,15 +1,17 @@
 // Reading what grsh writes: the numbers, the place and the texts.
-#include "render/file_error.h"
 #include "render/image_file.h"
 #include "render/image_samples.h"
 #include "render/layer_picture.h"
 #include "render/png_reader.h"
 #include "render/temporary_folder.h"
+#include "support/error_of.h"
 
 #include <gmock/gmock.h>
 
 namespace render {
 namespace {
+
+using support::errorOf;
 
 using testing::ElementsAre;
 using testing::Pair;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace render {
+namespace support {
 
 // TOPIC REASON [word] message
 template<class Action>
@@ -18,4 +18,4 @@ std::string errorOf(Action&& action) {
     return "no error";
 }
 
-}  // namespace render
+}  // namespace support
