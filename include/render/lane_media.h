@@ -19,16 +19,12 @@ public:
         return {left(absorption_.x), left(absorption_.y), left(absorption_.z)};
     }
 
-    void start(int lane, Media media) {
-        media_[lane] = std::move(media);
-        changed_ |= 1u << lane;
-    }
     Media& change(int lane) {
         changed_ |= 1u << lane;
         return media_[lane];
     }
     const Media& at(int lane) const { return media_[lane]; }
-    // After start and change, before transmittance is asked.
+    // After change, before transmittance is asked.
     void update() {
         if (changed_ == 0) return;
         core::LaneArray<Real> x(absorption_.x), y(absorption_.y), z(absorption_.z);

@@ -3,6 +3,8 @@
 
 #include "render/path_scene.h"
 
+#include <algorithm>
+
 namespace render {
 
 // Surfaces where rays met them, in the world: gr::SurfacePoint in lanes.
@@ -43,9 +45,9 @@ private:
 
     static Vec3 lanes(const core::Vec3f& v) { return core::broadcast<Real>(v); }
 
-    // Where rays meet a face's plane, and where in the face that is.
+    // Where rays meet a face's plane, and whether that is in the face.
     struct Crossing {
-        Real t, u, v;
+        Real t;
         Mask isInside;
     };
     // A face is taken a hair too large, by what rounding may move the place where the ray meets its plane: along the
@@ -69,7 +71,7 @@ private:
         const Real half(0.5f), one(1);
         const Mask inside = isTriangle ? (u >= -hairU) & (v >= -hairV) & (u + v <= one + (hairU + hairV))
                                        : (core::abs(u - half) <= half + hairU) & (core::abs(v - half) <= half + hairV);
-        return {t, u, v, inside};
+        return {t, inside};
     }
 
     template<bool isTriangle>

@@ -21,8 +21,8 @@ struct PathSetup {
 // The same integrator, compiled for processors that have less or more: each gives the same picture, bit by bit. The
 // caller owns what it returns. C names, which the build keeps while it hides all else of the wider ones.
 extern "C" {
-render::Integrator* grsh_path_integrator_float(const render::PathSetup& setup);
-render::Integrator* grsh_path_integrator_baseline(const render::PathSetup& setup);
-render::Integrator* grsh_path_integrator_avx2(const render::PathSetup& setup);
-render::Integrator* grsh_path_integrator_avx512(const render::PathSetup& setup);
+render::Integrator* grsh_path_integrator_float(render::PathSetup&& setup);
+render::Integrator* grsh_path_integrator_baseline(render::PathSetup&& setup);
+render::Integrator* grsh_path_integrator_avx2(render::PathSetup&& setup);
+render::Integrator* grsh_path_integrator_avx512(render::PathSetup&& setup);
 }

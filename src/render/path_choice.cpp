@@ -7,11 +7,11 @@
 namespace render {
 namespace {
 
-// How many paths are followed at once, from the least to the most.
+// How many paths are followed at once.
 struct Choice {
     core::Word name;
     bool isThere;  // on this processor
-    Integrator* (*make)(const PathSetup& setup);
+    Integrator* (*make)(PathSetup&& setup);
 };
 
 std::span<const Choice> choices() {
@@ -21,40 +21,45 @@ std::span<const Choice> choices() {
     static const bool hasAvx512 = hasAvx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
                                   __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
                                   __builtin_cpu_supports("avx512vl");
-    static const std::array<Choice, 4> all{{{"float", true, grsh_path_integrator_float},
+    static const auto widest = hasAvx512 ? grsh_path_integrator_avx512
+                               : hasAvx2 ? grsh_path_integrator_avx2
+                                         : grsh_path_integrator_baseline;
+    static const std::array<Choice, 5> all{{{"auto", true, widest},
+                                            {"float", true, grsh_path_integrator_float},
                                             {"sse4.2", true, grsh_path_integrator_baseline},
                                             {"avx2", hasAvx2, grsh_path_integrator_avx2},
                                             {"avx512", hasAvx512, grsh_path_integrator_avx512}}};
 #else
-    static const std::array<Choice, 4> all{{{"sse4.2", false, grsh_path_integrator_baseline},
-                                            {"avx2", false, grsh_path_integrator_baseline},
-                                            {"avx512", false, grsh_path_integrator_baseline},
-                                            {"float", true, grsh_path_integrator_float}}};
+    static const std::array<Choice, 5> all{{{"auto", true, grsh_path_integrator_baseline},
+                                            {"float", true, grsh_path_integrator_float},
+                                            {"sse4.2", false, nullptr},
+                                            {"avx2", false, nullptr},
+                                            {"avx512", false, nullptr}}};
 #endif
     return all;
 }
 
 const Choice& choiceOf(core::Word lanes) {
     const std::span<const Choice> all = choices();
-    if (lanes == "auto") {
-        const auto widest = std::find_if(all.rbegin(), all.rend(), [](const Choice& c) { return c.isThere; });
-        return *widest;
-    }
     return *std::find_if(all.begin(), all.end(), [&](const Choice& c) { return c.name == lanes; });
 }
 
 }  // namespace
 
 std::span<const core::Word> laneNames() {
-    static constexpr std::array<core::Word, 5> names{"auto", "float", "sse4.2", "avx2", "avx512"};
+    static const auto names = [] {
+        std::array<core::Word, 5> names;
+        std::transform(choices().begin(), choices().end(), names.begin(), [](const Choice& c) { return c.name; });
+        return names;
+    }();
     return names;
 }
 
 void checkLanes(core::Word lanes) {
     if (choiceOf(lanes).isThere) return;
-    std::string there = "auto";
+    std::string there;
     for (const Choice& choice : choices())
-        if (choice.isThere) there += ", " + std::string(choice.name);
+        if (choice.isThere) there += (there.empty() ? "" : ", ") + std::string(choice.name);
     throw core::Error("VALUE", "LANES", std::string(lanes),
                       "this processor has no \"" + std::string(lanes) + "\": lanes must be one of " + there);
 }
@@ -70,7 +75,7 @@ std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr:
                     eye,
                     {}};
     if (setup.scene.hasDielectrics) setup.eyeMedia = mediaAt(eye, scene, accelerator);
-    return std::unique_ptr<Integrator>(choiceOf(settings.lanes).make(setup));
+    return std::unique_ptr<Integrator>(choiceOf(settings.lanes).make(std::move(setup)));
 }
 
 }  // namespace render

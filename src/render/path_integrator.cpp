@@ -1,10 +1,5 @@
-#include "core/frame.h"
-#include "render/lane_media.h"
-#include "render/lane_tracer.h"
-#include "render/owen_sobol.h"
+#include "render/lane_paths.h"
 #include "render/path_setup.h"
-
-#include <algorithm>
 
 namespace render {
 namespace {
@@ -35,77 +30,6 @@ Mask<Real> none() {
     return Real(0) > Real(0);
 }
 
-// Paths on their way, one in each lane.
-template<class Real>
-struct Paths {
-    std::array<std::uint32_t, mostLanes> x{}, y{}, sample{};
-    std::array<std::size_t, mostLanes> slot{};  // where its radiance belongs in the block
-    OwenSobol<Real> random{};
-    core::Ray<Real> ray{};
-    Rgb<Real> radiance{Real(0)};
-    Rgb<Real> throughput{Real(0)};  // what is left of light that comes along the ray, when it arrives at the eye
-    Real surfacePoints = Real(0);
-    Real pdfW =
-        Real(0);  // of the ray's direction; infinity where light sampling cannot bring what it brings, 0 where it has
-    core::Vec2<Real> lightDraw{Real(0)};  // for the next surface point
-    Mask<Real> alive = none<Real>();
-    LaneMedia<Real> media;
-};
-
-// Surface points as the paths see them: the normals are turned to where each comes from.
-template<class Real>
-struct ShadingPoints {
-    const gr::Scene& scene;
-    const LaneSurface<Real>& surface;
-    std::uint32_t lanes;  // that are shaded
-    Mask<Real> fromOutside;
-    Vec3<Real> normal;
-    core::Frame<Real> frame;
-    Vec3<Real> wo;
-
-    ShadingPoints(const PathScene& scene, const core::Ray<Real>& ray, const LaneSurface<Real>& surface,
-                  const Mask<Real>& shaded)
-        : scene(scene.scene),
-          surface(surface),
-          lanes(core::bitsOf(shaded)),
-          fromOutside(glm::dot(ray.direction, surface.normal) < Real(0)),
-          normal(core::select(fromOutside, surface.normal, -surface.normal)),
-          frame(core::select(fromOutside, surface.shadingNormal, -surface.shadingNormal)) {
-        if (scene.hasAnisotropy) turnFrame();
-        wo = frame.toLocal(-ray.direction);
-    }
-
-    // Calls f(bsdf, mask) for each material that any lane's surface is made of.
-    template<class F>
-    void forEachMaterial(F&& f) const {
-        const core::LaneArray<Real> index(surface.material);
-        for (std::uint32_t rest = lanes; rest != 0;) {
-            const float material = index[std::countr_zero(rest)];
-            const Mask<Real> here = surface.material == Real(material);
-            rest &= ~core::bitsOf(here);
-            std::visit([&](const auto& bsdf) { f(bsdf, here); }, scene.materials[static_cast<std::size_t>(material)]);
-        }
-    }
-    // Light from there would shine through the surface: it is above as the surface is shaded and below as it lies, or
-    // the other way round.
-    Mask<Real> isOnWrongSide(const Vec3<Real>& direction, const Vec3<Real>& wi) const {
-        return surface.isSmooth & core::differ(glm::dot(direction, normal) > Real(0), wi.z > Real(0));
-    }
-    Vec3<Real> offset(const Vec3<Real>& side) const {
-        return gr::SurfacePoint::offsetFrom(surface.position, side, surface.error);
-    }
-
-private:
-    void turnFrame() {
-        const core::Frame<Real> turned(frame.z, surface.tangent);
-        forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
-            if (!bsdf.isAnisotropic()) return;
-            frame.x = core::select(here, turned.x, frame.x);
-            frame.y = core::select(here, turned.y, frame.y);
-        });
-    }
-};
-
 // How much a sample counts that another way of sampling could have drawn, too: the balance heuristic (Veach 1997,
 // 9.2.2). Of no weight where neither can.
 template<class Real>
@@ -117,7 +41,8 @@ Real balance(const Real& pdf, const Real& otherPdf) {
 template<class Real>
 class PathIntegrator final : public Integrator {
 public:
-    explicit PathIntegrator(const PathSetup& setup) : setup_(setup), scene_(setup_.scene), tracer_(setup_.scene) {}
+    explicit PathIntegrator(PathSetup&& setup)
+        : setup_(std::move(setup)), scene_(setup_.scene), tracer_(setup_.scene) {}
 
     void render(const View& view, const SampleBlock& block, Samples& samples,
                 const std::atomic<bool>& stop) const override {
@@ -445,10 +370,9 @@ private:
 };
 
 }  // namespace
-
 }  // namespace render
 
 // The build says for how many lanes, and under which name.
-render::Integrator* GRSH_PATH_INTEGRATOR(const render::PathSetup& setup) {
-    return new render::PathIntegrator<GRSH_REAL>(setup);
+render::Integrator* GRSH_PATH_INTEGRATOR(render::PathSetup&& setup) {
+    return new render::PathIntegrator<GRSH_REAL>(std::move(setup));
 }

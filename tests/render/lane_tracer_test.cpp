@@ -179,10 +179,9 @@ gr::Scene randomScene(std::uint64_t seed) {
     return gr::compile(database, ":", {});
 }
 
-// All but rays that pass an edge, which one finds to meet it and the other not.
-TEST(LaneTracerSurface, IsTheScenes) {
-    gr::Violations wrong;
-    int met = 0, atEdges = 0;
+// Calls f(scene, lane, ray, maker, number of the ray) for rays through random scenes.
+template<class F>
+void forEachRay(F&& f) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const gr::Scene scene = randomScene(seed);
         const OneLane lane(scene);
@@ -190,35 +189,44 @@ TEST(LaneTracerSurface, IsTheScenes) {
         for (int i = 0; i < gr::rayCount(20'000); ++i) {
             core::Rayf ray = maker.next();
             ray.direction = glm::normalize(ray.direction);
-            const std::optional<gr::Hit> hit = lane.accelerator().intersect(ray);
-            const Surface found = lane.nearest(ray);
-            if (!hit && !found.isMet()) continue;
-            // Some rays start on a square, or at a corner: they may meet it or not.
-            if ((hit && hit->t < 1e-4f) || found.t < 1e-4f) continue;
-            if (!hit || !found.isMet() || std::abs(hit->t - found.t) > 1e-3f * (1 + hit->t)) {
-                ++atEdges;
-                continue;
-            }
-            ++met;
-            const gr::SurfacePoint expected = scene.surfaceAt(ray, *hit);
-            if (static_cast<float>(expected.instance->material) != found.material ||
-                !(glm::length(expected.normal - found.normal) < 1e-4f)) {
-                ++atEdges;  // of two that meet or cross there, the other one
-                continue;
-            }
-            const float light =
-                expected.light == nullptr ? -1.f : static_cast<float>(expected.light - scene.areaLights.data());
-            if (light != found.light) wrong.add("light ", found.light, ", expected ", light);
-            if (!(std::abs(expected.error - found.error) <= 1e-3f * expected.error)) wrong.add("error ", found.error);
-            // Both keep places off the edges, each by a way of its own; on the face's plane they are.
-            const Vec3f apart = expected.position - found.position;
-            if (!(std::abs(glm::dot(apart, expected.normal)) < 2e-5f)) wrong.add("off the plane, t ", found.t);
-            if (!(glm::length(apart) < 1e-2f)) wrong.add("position off by ", glm::length(apart));
-            if (!(glm::length(apart) < 1e-4f)) ++atEdges;
-            const float turn = glm::dot(glm::normalize(expected.tangent()), glm::normalize(found.tangent));
-            if (!(turn > 0.99999f)) wrong.add("tangent of material ", found.material, ", light ", light, ": ", turn);
+            f(scene, lane, ray, maker, i);
         }
     }
+}
+
+// All but rays that pass an edge, which one finds to meet it and the other not.
+TEST(LaneTracerSurface, IsTheScenes) {
+    gr::Violations wrong;
+    int met = 0, atEdges = 0;
+    forEachRay([&](const gr::Scene& scene, const OneLane& lane, const core::Rayf& ray, gr::RayMaker&, int) {
+        const std::optional<gr::Hit> hit = lane.accelerator().intersect(ray);
+        const Surface found = lane.nearest(ray);
+        if (!hit && !found.isMet()) return;
+        // Some rays start on a square, or at a corner: they may meet it or not.
+        if ((hit && hit->t < 1e-4f) || found.t < 1e-4f) return;
+        if (!hit || !found.isMet() || std::abs(hit->t - found.t) > 1e-3f * (1 + hit->t)) {
+            ++atEdges;
+            return;
+        }
+        ++met;
+        const gr::SurfacePoint expected = scene.surfaceAt(ray, *hit);
+        if (static_cast<float>(expected.instance->material) != found.material ||
+            !(glm::length(expected.normal - found.normal) < 1e-4f)) {
+            ++atEdges;  // of two that meet or cross there, the other one
+            return;
+        }
+        const float light =
+            expected.light == nullptr ? -1.f : static_cast<float>(expected.light - scene.areaLights.data());
+        if (light != found.light) wrong.add("light ", found.light, ", expected ", light);
+        if (!(std::abs(expected.error - found.error) <= 1e-3f * expected.error)) wrong.add("error ", found.error);
+        // Both keep places off the edges, each by a way of its own; on the face's plane they are.
+        const Vec3f apart = expected.position - found.position;
+        if (!(std::abs(glm::dot(apart, expected.normal)) < 2e-5f)) wrong.add("off the plane, t ", found.t);
+        if (!(glm::length(apart) < 1e-2f)) wrong.add("position off by ", glm::length(apart));
+        if (!(glm::length(apart) < 1e-4f)) ++atEdges;
+        const float turn = glm::dot(glm::normalize(expected.tangent()), glm::normalize(found.tangent));
+        if (!(turn > 0.99999f)) wrong.add("tangent of material ", found.material, ", light ", light, ": ", turn);
+    });
     EXPECT_EQ(wrong.count(), 0) << wrong.text();
     EXPECT_GT(met, 20'000);
     EXPECT_LT(atEdges, met / 500);
@@ -227,26 +235,19 @@ TEST(LaneTracerSurface, IsTheScenes) {
 // Between points of the scene, where faces with nothing behind them are not looked at.
 TEST(LaneTracerShadow, IsTheAccelerators) {
     int lit = 0, dark = 0, different = 0;
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const gr::Scene scene = randomScene(seed);
-        const OneLane lane(scene);
-        gr::RayMaker maker(scene, 0.5, seed);
-        for (int i = 0; i < gr::rayCount(20'000); ++i) {
-            core::Rayf ray = maker.next();
-            ray.direction = glm::normalize(ray.direction);
-            const Surface surface = lane.nearest(ray);
-            if (!surface.isMet()) continue;
-            const Vec3f side = glm::dot(ray.direction, surface.normal) < 0 ? surface.normal : -surface.normal;
-            const gr::AreaLight& light = scene.areaLights[static_cast<std::size_t>(i % 4)];
-            const auto u = static_cast<float>(maker.random().next()), v = static_cast<float>(maker.random().next());
-            const gr::LightSample<float> sample = light.sample<float>(surface.position, core::Vec2f(u, v));
-            if (sample.pdfW == 0 || !(glm::dot(side, sample.wi) > 0)) continue;
-            const core::Rayf shadow = scene.shadowRay(offset(surface, side), light, sample.target);
-            const bool isDark = lane.accelerator().occluded(shadow);
-            ++(isDark ? dark : lit);
-            different += lane.occluded(shadow) != isDark ? 1 : 0;
-        }
-    }
+    forEachRay([&](const gr::Scene& scene, const OneLane& lane, const core::Rayf& ray, gr::RayMaker& maker, int i) {
+        const Surface surface = lane.nearest(ray);
+        if (!surface.isMet()) return;
+        const Vec3f side = glm::dot(ray.direction, surface.normal) < 0 ? surface.normal : -surface.normal;
+        const gr::AreaLight& light = scene.areaLights[static_cast<std::size_t>(i % 4)];
+        const auto u = static_cast<float>(maker.random().next()), v = static_cast<float>(maker.random().next());
+        const gr::LightSample<float> sample = light.sample<float>(surface.position, core::Vec2f(u, v));
+        if (sample.pdfW == 0 || !(glm::dot(side, sample.wi) > 0)) return;
+        const core::Rayf shadow = scene.shadowRay(offset(surface, side), light, sample.target);
+        const bool isDark = lane.accelerator().occluded(shadow);
+        ++(isDark ? dark : lit);
+        different += lane.occluded(shadow) != isDark ? 1 : 0;
+    });
     EXPECT_GT(lit, 5'000);
     EXPECT_GT(dark, 5'000);
     EXPECT_LE(different, (lit + dark) / 10'000) << "at edges alone";
