@@ -15,38 +15,56 @@ struct LightSample {
 };
 
 // A parallelogram that emits the same radiance in every direction on one side and reflects nothing: what becomes of a
-// square under an affine map.
-struct AreaLight {
-    core::Vec3f corner, edge1, edge2;
-    core::Vec3f normal;  // unit length, to the side that emits
-    core::Rgbf radiance;
-    float area;
-    float error;  // how far rounding may put a point of it off its plane
-    std::uint32_t instance = 0;  // its place in Scene::instances
+// square under an affine map. In lanes it is one light in each. Nothing but Reals, so that lanes can gather them.
+template<class Real>
+struct AreaLightOf {
+    core::Vec3<Real> corner, edge1, edge2;
+    core::Vec3<Real> normal;  // unit length, to the side that emits
+    core::Rgb<Real> radiance;
+    Real area;
+    // How far rounding may put a point of it off its plane, and that of a ray that starts 1 from the origin more.
+    Real error, errorPerUnit;
 
     // from: the surface point. u: uniform in the unit square; the place is uniform on the light.
-    template<class Real>
     LightSample<Real> sample(const core::Vec3<Real>& from, const core::Vec2<Real>& u) const {
-        const auto lanes = [](const core::Vec3f& v) { return core::broadcast<Real>(v); };
-        const core::Vec3<Real> target = lanes(corner) + lanes(edge1) * u.x + lanes(edge2) * u.y;
+        const core::Vec3<Real> target = corner + edge1 * u.x + edge2 * u.y;
         const core::Vec3<Real> toLight = target - from;
         const Real distanceSquared = glm::dot(toLight, toLight);
         const core::Vec3<Real> wi = toLight / core::sqrt(distanceSquared);
 
         // dA = dw * distance^2 / cos: the density 1 / area becomes one over solid angle. The back is dark.
-        const Real cosine = -glm::dot(wi, lanes(normal));
+        const Real cosine = -glm::dot(wi, normal);
         const core::Mask<Real> lit = (cosine > Real(0)) & (distanceSquared > Real(0));
-        const Real pdf = core::pdfAtoW(Real(1 / area), distanceSquared, cosine);
-        const core::Rgb<Real> weight = lanes(radiance) / pdf;
+        const Real pdf = core::pdfAtoW(Real(1) / area, distanceSquared, cosine);
+        const core::Rgb<Real> weight = radiance / pdf;
         return {target, wi, core::select(lit, weight, core::Rgb<Real>(Real(0))), core::select(lit, pdf, Real(0))};
     }
 
     // The density of sample() for a ray of direction wi, of unit length, that meets the light's front after `distance`.
-    template<class Real>
     Real pdfW(const core::Vec3<Real>& wi, const Real& distance) const {
-        return core::pdfAtoW(Real(1 / area), distance * distance, -glm::dot(wi, core::broadcast<Real>(normal)));
+        return core::pdfAtoW(Real(1) / area, distance * distance, -glm::dot(wi, normal));
     }
 };
+using AreaLight = AreaLightOf<float>;
+
+// The light of that index, for each lane.
+template<class Real>
+AreaLightOf<Real> gathered(const AreaLight* lights, const core::UInt<Real>& index) {
+    constexpr int numbers = sizeof(AreaLight) / sizeof(float);
+    static_assert(sizeof(AreaLight) == numbers * sizeof(float) && numbers == 18);
+    const auto* table = reinterpret_cast<const float*>(lights);
+    const core::UInt<Real> row = index * core::UInt<Real>(numbers);
+    const auto number = [&](int i) { return core::gather(table + i, row); };
+    const auto vector = [&](int i) { return core::Vec3<Real>(number(i), number(i + 1), number(i + 2)); };
+    return {vector(0), vector(3), vector(6), vector(9), vector(12), number(15), number(16), number(17)};
+}
+// The same light in all lanes.
+template<class Real>
+AreaLightOf<Real> broadcast(const AreaLight& light) {
+    const auto lanes = [](const core::Vec3f& v) { return core::broadcast<Real>(v); };
+    return {lanes(light.corner),   lanes(light.edge1), lanes(light.edge2), lanes(light.normal),
+            lanes(light.radiance), Real(light.area),   Real(light.error),  Real(light.errorPerUnit)};
+}
 
 // The older point light. A surface that faces it at distance d receives the irradiance
 // pi * intensity / (c0 + c1 d + c2 d^2), so that a white diffuse surface shows intensity / (...).

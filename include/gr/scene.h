@@ -112,6 +112,15 @@ core::Vec3<Real> tangentAt(const Instance& instance, const core::Vec3<Real>& obj
     return instance.place.worldFromObject().vector(east);
 }
 
+// From a point off a surface to a place on an area light, a hair before it: t from 0 to 1.
+template<class Real>
+core::Ray<Real> shadowRay(const core::Vec3<Real>& start, const AreaLightOf<Real>& light,
+                          const core::Vec3<Real>& target) {
+    // The end is rounded by how far away the ray starts, too.
+    const Real error = light.error + light.errorPerUnit * core::largestComponent(start);
+    return {start, SurfacePoint::offsetFrom(target, light.normal, error) - start, Real(1)};
+}
+
 class Scene {
 public:
     std::vector<Instance> instances;
@@ -122,16 +131,6 @@ public:
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
 
     SurfacePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
-    // From a point off a surface to a place on an area light, a hair before it: t from 0 to 1.
-    template<class Real>
-    core::Ray<Real> shadowRay(const core::Vec3<Real>& start, const AreaLight& light,
-                              const core::Vec3<Real>& target) const {
-        // The end is rounded by how far away the ray starts, too.
-        const Real error =
-            Real(light.error) + Real(instances[light.instance].errorPerUnit()) * core::largestComponent(start);
-        const core::Vec3<Real> end = SurfacePoint::offsetFrom(target, core::broadcast<Real>(light.normal), error);
-        return {start, end - start, Real(1)};
-    }
     std::size_t objectCount() const;  // shapes, and the triangles of meshes
     std::size_t bytes() const;
 };

@@ -20,7 +20,7 @@ struct Paths {
     Real surfacePoints = Real(0);
     // Of the ray's direction; infinity where light sampling cannot bring what the ray brings, 0 where it has.
     Real pdfW = Real(0);
-    core::Vec2<Real> lightDraw{Real(0)};  // for the next surface point
+    core::Vec3<Real> lightDraw{Real(0)};  // for the next surface point: the place on a light, and which light
     core::Mask<Real> alive = Real(0) > Real(0);
     LaneMedia<Real> media;
 };

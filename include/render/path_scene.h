@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/face_list.h"
+#include "render/light_tree.h"
 
 #include <cstddef>
 
@@ -27,6 +28,7 @@ struct PathScene {
     bool hasDielectrics = false;
     bool hasAnisotropy = false;
     bool hasNormals = false;  // meshes shaded with normals of their own
+    LightTree lights;
 
     // Where every object is tested lanes do it by themselves, and here the objects are; else the accelerator is asked.
     bool isInLanes = false;

@@ -110,8 +110,7 @@ private:
         const float size =
             core::largestComponent(corner) + core::largestComponent(edge1) + core::largestComponent(edge2);
         scene_.areaLights.push_back({corner, edge1, edge2, normal, light.radiance, area,
-                                     instance.error + instance.errorPerUnit() * size,
-                                     static_cast<std::uint32_t>(scene_.instances.size() - 1)});
+                                     instance.error + instance.errorPerUnit() * size, instance.errorPerUnit()});
     }
 
     void addInstance(Shape shape, const glm::dmat4& matrix, float extent) {

@@ -66,13 +66,13 @@ private:
     // Which four random numbers serve what.
     struct Numbers {
         static constexpr std::uint32_t camera = 0;  // the place in the pixel, and that on the lens, or
-        static constexpr std::uint32_t lens = 1;  // where there is a lens, the first surface point's light
+        static constexpr std::uint32_t light = 1;  // the first surface point's light
         // The direction in which a path leaves its n-th surface point, and the light where it arrives.
         static UInt way(const UInt& surfacePoints) { return surfacePoints + UInt(1); }
         static UInt method(const UInt& surfacePoints) { return surfacePoints + UInt(1u << 16); }
-        // All but the first sample of the first light.
-        static UInt light(const UInt& surfacePoints, std::uint32_t number) {
-            return surfacePoints + UInt((2 + number) << 16);
+        // All light samples of a surface point but its first.
+        static UInt moreLight(const UInt& surfacePoints, int sample) {
+            return mixed(UInt(surfacePoints + UInt(mixed(static_cast<std::uint32_t>(sample)))));
         }
     };
 
@@ -102,14 +102,12 @@ private:
         const Point4<Real> u = paths.random.point(UInt(Numbers::camera));
         const Draw inPixel = view.antialiasing ? Draw(u[0], u[1]) : Draw(Real(0.5f));
         const Draw place = Draw(core::toReal(x), core::toReal(y)) + inPixel;
-        core::Ray<Real> ray;
-        Draw light(u[2], u[3]);
-        if (view.camera.hasLens()) {
-            ray = view.camera.ray(place, light);
-            const Point4<Real> more = paths.random.point(UInt(Numbers::lens));
-            light = Draw(more[2], more[3]);
-        } else {
-            ray = view.camera.ray(place);
+        const bool hasLens = view.camera.hasLens();
+        const core::Ray<Real> ray = hasLens ? view.camera.ray(place, Draw(u[2], u[3])) : view.camera.ray(place);
+        Vec3<Real> light(u[2], u[3], Real(0));
+        if (hasLens || setup_.picksLights) {
+            const Point4<Real> more = paths.random.point(UInt(Numbers::light));
+            light = hasLens ? Vec3<Real>(more[2], more[3], more[0]) : Vec3<Real>(u[2], u[3], more[0]);
         }
         const Mask<Real> here = core::maskOf<Real>(begun);
         paths.ray.origin = core::select(here, ray.origin, paths.ray.origin);
@@ -119,8 +117,7 @@ private:
         paths.throughput = core::select(here, Rgb<Real>(Real(1)), paths.throughput);
         paths.surfacePoints = core::select(here, Real(0), paths.surfacePoints);
         paths.pdfW = core::select(here, Real(core::infinity), paths.pdfW);
-        paths.lightDraw.x = core::select(here, light.x, paths.lightDraw.x);
-        paths.lightDraw.y = core::select(here, light.y, paths.lightDraw.y);
+        paths.lightDraw = core::select(here, light, paths.lightDraw);
         paths.alive = paths.alive | here;
         rays.camera += static_cast<std::uint64_t>(std::popcount(begun));
         if (scene_.hasDielectrics) startMedia(paths, begun, rays);
@@ -186,7 +183,7 @@ private:
         const Point4<Real> more = paths.random.point(Numbers::method(number));
         const BsdfSample<Real> next = sampled(paths, points, {more[0], {u[0], u[1]}});
         const Vec3<Real> direction = points.frame.toWorld(next.wi);
-        paths.lightDraw = Draw(u[2], u[3]);
+        paths.lightDraw = Vec3<Real>(u[2], u[3], more[2]);
         paths.throughput *= next.weight;
         paths.alive = paths.alive & next.valid & !points.isOnWrongSide(direction, next.wi);
 
@@ -221,51 +218,72 @@ private:
 
     // What the lights' fronts send along the rays that have met them, as far as it is for the rays to bring.
     Rgb<Real> emitted(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& hitsLight) const {
-        Rgb<Real> sum(Real(0));
-        float index = 0;
-        for (const gr::AreaLight& light : scene_.scene.areaLights) {
-            const Mask<Real> here = hitsLight & points.fromOutside & (points.surface.light == Real(index++));
-            if (!core::any(here)) continue;
-            const Real lightPdfW =
-                light.pdfW(paths.ray.direction, points.surface.t) * Real(static_cast<float>(setup_.lightSamples));
-            const Real part = core::select(paths.pdfW < Real(core::infinity), balance(paths.pdfW, lightPdfW), Real(1));
-            sum += core::select(here, core::broadcast<Real>(light.radiance) * part, Rgb<Real>(Real(0)));
+        const Real index = core::select(hitsLight, points.surface.light, Real(0));
+        const auto light = gr::gathered<Real>(scene_.scene.areaLights.data(), core::toUInt(index));
+        const Real times = timesAsked(paths.ray.origin, index);
+        const Real lightPdfW = light.pdfW(paths.ray.direction, points.surface.t) * times;
+        const Real part = core::select(paths.pdfW < Real(core::infinity), balance(paths.pdfW, lightPdfW), Real(1));
+        return core::select(hitsLight & points.fromOutside, light.radiance * part, Rgb<Real>(Real(0)));
+    }
+
+    // How often a surface point asks a light for light, on average.
+    Real timesAsked(const Vec3<Real>& at, const Real& light) const {
+        if (!setup_.picksLights) return Real(static_cast<float>(setup_.lightSamples));
+        return scene_.lights.probability(at, light) * Real(static_cast<float>(setup_.lightDraws));
+    }
+
+    // Which light a sample asks, and where. Of a few lights each is asked, of many those that chance picks. Its
+    // radiance is over how often the point asks it.
+    struct Question {
+        gr::AreaLightOf<Real> light;
+        Real times;  // that it is asked, on average
+        Draw place;
+    };
+    Question question(const Paths<Real>& paths, const Vec3<Real>& at, int sample) const {
+        Vec3<Real> u = paths.lightDraw;
+        if (sample > 0) {
+            const Point4<Real> more = paths.random.point(Numbers::moreLight(core::toUInt(paths.surfacePoints), sample));
+            u = Vec3<Real>(more[0], more[1], more[2]);
         }
-        return sum;
+        const Draw place(u.x, u.y);
+        const gr::AreaLight* lights = scene_.scene.areaLights.data();
+        Question question;
+        if (setup_.picksLights) {
+            const auto pick = scene_.lights.pick(at, u.z);
+            question = {gr::gathered<Real>(lights, core::toUInt(pick.light)),
+                        pick.probability * Real(static_cast<float>(setup_.lightDraws)), place};
+        } else {
+            question = {gr::broadcast<Real>(lights[sample / setup_.lightSamples]),
+                        Real(static_cast<float>(setup_.lightSamples)), place};
+        }
+        Rgb<Real>& radiance = question.light.radiance;
+        radiance = core::select(question.times > Real(0), radiance / question.times, Rgb<Real>(Real(0)));
+        return question;
     }
 
     Rgb<Real> directLight(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isLast,
                           RayCounts& rays) const {
         Rgb<Real> sum(Real(0));
         const Vec3<Real> start = points.offset(points.normal);
-        const UInt number = core::toUInt(paths.surfacePoints);
-        const Real samples(static_cast<float>(setup_.lightSamples));
-        std::uint32_t drawn = 0;
-        for (const gr::AreaLight& light : scene_.scene.areaLights) {
-            for (int i = 0; i < setup_.lightSamples; ++i) {
-                Draw u = paths.lightDraw;
-                if (++drawn > 1) {
-                    const Point4<Real> more = paths.random.point(Numbers::light(number, drawn));
-                    u = Draw(more[0], more[1]);
-                }
-                const gr::LightSample<Real> sample = light.sample<Real>(points.surface.position, u);
-                // The path would find the light, too, if it went on; the last one does not.
-                const core::Ray<Real> shadow = scene_.scene.shadowRay(start, light, sample.target);
-                sum += reflected(paths, points, sample, isLast, shadow, rays) / samples;
-            }
+        for (int i = 0; i < setup_.lightDraws; ++i) {
+            const Question asked = question(paths, start, i);
+            gr::LightSample<Real> sample = asked.light.sample(points.surface.position, asked.place);
+            // A path that goes on would find the light, too; the last point of one has this way alone.
+            sample.pdfW = core::select(isLast, Real(0), sample.pdfW * asked.times);
+            sum += reflected(paths, points, sample, gr::shadowRay(start, asked.light, sample.target), rays);
         }
         for (const gr::PointLight& light : scene_.scene.pointLights) {
             const gr::LightSample<Real> sample = light.sample<Real>(points.surface.position);
             const core::Ray<Real> shadow{start, sample.target - start, Real(1)};
-            sum += reflected(paths, points, sample, isLast, shadow, rays);
+            sum += reflected(paths, points, sample, shadow, rays);
         }
         return sum;
     }
 
-    // What the surfaces reflect of a light sample towards the eye, black where something stands between.
+    // What the surfaces reflect of a light sample towards the eye, black where something stands between. Its density is
+    // that of all samples together; where it is 0, light comes from there in no other way.
     Rgb<Real> reflected(const Paths<Real>& paths, const ShadingPoints<Real>& points,
-                        const gr::LightSample<Real>& sample, const Mask<Real>& isLast, const core::Ray<Real>& shadow,
-                        RayCounts& rays) const {
+                        const gr::LightSample<Real>& sample, const core::Ray<Real>& shadow, RayCounts& rays) const {
         const Vec3<Real> wi = points.frame.toLocal(sample.wi);
         Rgb<Real> f(Real(0));
         Real pdfW(0);
@@ -273,9 +291,7 @@ private:
             f = core::select(here, bsdf.eval(points.wo, wi), f);
             pdfW = core::select(here, bsdf.template pdfW<Real, Hemisphere>(points.wo, wi), pdfW);
         });
-        const Real samples(static_cast<float>(setup_.lightSamples));
-        const Real part =
-            core::select(isLast | !(sample.pdfW > Real(0)), Real(1), balance(sample.pdfW * samples, pdfW));
+        const Real part = core::select(sample.pdfW > Real(0), balance(sample.pdfW, pdfW), Real(1));
         const Rgb<Real> light = f * sample.weight * part;
         const Mask<Real> shines =
             paths.alive & (light.x + light.y + light.z > Real(0)) & !points.isOnWrongSide(sample.wi, wi);

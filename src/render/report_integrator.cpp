@@ -145,8 +145,8 @@ private:
             Rgbf lightSum(0);
             for (int i = 0; i < lightSamples_; ++i) {
                 const core::Vec2f u = sampler.next2D();
-                const gr::LightSample<float> sample = light.sample<float>(point.surface.position, u);
-                lightSum += reflected(point, media, sample, scene_.shadowRay(start, light, sample.target), rays);
+                const gr::LightSample<float> sample = light.sample(point.surface.position, u);
+                lightSum += reflected(point, media, sample, gr::shadowRay(start, light, sample.target), rays);
             }
             sum += lightSum / static_cast<float>(lightSamples_);
         }

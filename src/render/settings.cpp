@@ -76,7 +76,9 @@ const std::array<core::OptionRow<S>, 21> rows{{
      .member = &S::samplesPerLightSource,
      .range = atLeastOne,
      .unit = "samples",
-     .help = "shadow rays to each area light from each surface point"},
+     .help =
+         "shadow rays to each area light from each surface point; with path, and more than four lights, to lights that "
+         "chance picks"},
     {.name = "integrator",
      .member = &S::integrator,
      .words = integrators,

@@ -69,10 +69,11 @@ void intersectBareQuad(benchmark::State& state) {
 template<class Real>
 void sampleLight(benchmark::State& state) {
     const auto rays = makeRays<Real>();
-    const gr::AreaLight light{{0, 4, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}, core::Rgbf(1), 1, 0};
+    const gr::AreaLight light{{0, 4, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}, core::Rgbf(1), 1, 0, 0};
+    const auto lanes = gr::broadcast<Real>(light);
     for (auto _ : state)
         for (const auto& ray : rays)
-            benchmark::DoNotOptimize(light.sample(ray.origin, core::Vec2<Real>(ray.direction.x, ray.direction.y)));
+            benchmark::DoNotOptimize(lanes.sample(ray.origin, core::Vec2<Real>(ray.direction.x, ray.direction.y)));
     perItem<Real>(state);
 }
 

@@ -25,7 +25,8 @@ gr::AreaLight areaLight(const core::Vec3f& corner, const core::Vec3f& edge1, con
             .normal = normal / area,
             .radiance = {17, 0.5f, 0},
             .area = area,
-            .error = 0};
+            .error = 0,
+            .errorPerUnit = 0};
 }
 
 // From in front, from behind, in the plane of the light, and on it.
@@ -42,7 +43,7 @@ TEST(LanesAreaLight, GivesTheSameLight) {
             return Numbers<5>{from.x, from.y, from.z, u, v};
         });
         const auto samples = expectSame(points, [&]<class Real>(const std::array<Real, 5>& x) {
-            return numbersOf(light.sample(vectorAt(x.data()), core::Vec2<Real>(x[3], x[4])));
+            return numbersOf(gr::broadcast<Real>(light).sample(vectorAt(x.data()), core::Vec2<Real>(x[3], x[4])));
         });
         const auto lit = std::count_if(samples.begin(), samples.end(), [](const auto& s) { return s[9] > 0; });
         EXPECT_GT(lit, count / 10);

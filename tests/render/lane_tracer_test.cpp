@@ -241,9 +241,9 @@ TEST(LaneTracerShadow, IsTheAccelerators) {
         const Vec3f side = glm::dot(ray.direction, surface.normal) < 0 ? surface.normal : -surface.normal;
         const gr::AreaLight& light = scene.areaLights[static_cast<std::size_t>(i % 4)];
         const auto u = static_cast<float>(maker.random().next()), v = static_cast<float>(maker.random().next());
-        const gr::LightSample<float> sample = light.sample<float>(surface.position, core::Vec2f(u, v));
+        const gr::LightSample<float> sample = light.sample(surface.position, core::Vec2f(u, v));
         if (sample.pdfW == 0 || !(glm::dot(side, sample.wi) > 0)) return;
-        const core::Rayf shadow = scene.shadowRay(offset(surface, side), light, sample.target);
+        const core::Rayf shadow = gr::shadowRay(offset(surface, side), light, sample.target);
         const bool isDark = lane.accelerator().occluded(shadow);
         ++(isDark ? dark : lit);
         different += lane.occluded(shadow) != isDark ? 1 : 0;

@@ -45,6 +45,14 @@ struct Room : SameLight {
         scene.database.translate(":" + name, centre);
         scene.database.rotate(":" + name, axis, degrees);
     }
+    // More than are each asked: bright and dim, to all sides.
+    void addLampsAllAround() {
+        for (int i = 0; i < 9; ++i) {
+            const double turn = 0.7 * i;
+            addLamp("around" + std::to_string(i), core::Rgbf(0.3f * static_cast<float>(1 + i), 2, 1),
+                    {1.5 * std::sin(turn), 0.2 * i - 1, 1.5 * std::cos(turn)}, 0.3, i % 3, 40. * i);
+        }
+    }
     void addSmoothBall(const core::Rgbf& reflectance, const glm::dvec3& centre) {
         scene.add("smooth", gr::PolyhedronNode{smoothBall()}, reflectance);
         scene.database.translate(":smooth", centre);
@@ -161,6 +169,19 @@ constexpr Change changes[] = {
      [](Room& r) {
          r.addLamp("second", core::Rgbf(1, 2, 4), {0.2, 0.6, 0.1}, 0.8, 0, 50);
          r.scene.settings.samplesPerLightSource = 3;
+     }},
+    {"LightsThatChancePicks", [](Room& r) { r.addLampsAllAround(); }},
+    {"LightsThatChancePicks3Samples",
+     [](Room& r) {
+         r.addLampsAllAround();
+         r.scene.settings.samplesPerLightSource = 3;
+     }},
+    {"LightsThatChancePicksThroughALens",
+     [](Room& r) {
+         r.addLampsAllAround();
+         r.scene.settings.depthOfField = true;
+         r.scene.settings.aperture = 0.15;
+         r.scene.settings.focalDistance = 2.5;
      }},
     {"MeshWithNormals",
      [](Room& r) {
