@@ -22,15 +22,17 @@ TEST(LanesWarp, HasTheSameSinesAndCosines) {
                });
 }
 
-TEST(LanesWarp, HasTheSameHemisphere) {
+TEST(LanesWarp, HasTheSameHemispheres) {
     Inputs inputs(4);
     const auto points = makeInputs<2>(count, [&] {
         const float u = inputs.unit(), v = inputs.unit();
         return Numbers<2>{u, v};
     });
     expectSame(points, []<class Real>(const std::array<Real, 2>& u) {
-        const core::Vec3<Real> d = core::squareToUniformHemisphere(core::Vec2<Real>(u[0], u[1]));
-        return std::array<Real, 4>{d.x, d.y, d.z, core::uniformHemispherePdfW(d)};
+        const core::Vec2<Real> place(u[0], u[1]);
+        const core::Vec3<Real> d = core::squareToUniformHemisphere(place), e = core::squareToCosineHemisphere(place);
+        return std::array<Real, 8>{d.x, d.y, d.z, core::uniformHemispherePdfW(d),
+                                   e.x, e.y, e.z, core::cosineHemispherePdfW(e)};
     });
 }
 

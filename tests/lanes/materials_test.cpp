@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lanes/both_widths.h"
-#include "materials/parameter_sets.h"
+#include "materials/each_hemisphere.h"
 
 namespace lanes {
 namespace {
@@ -23,13 +23,14 @@ TYPED_TEST(LanesMaterial, ReflectsTheSame) {
         if (inputs.chance(0.5)) wi = glm::normalize(core::Vec3f(-wo.x, -wo.y, wo.z) + wi * inputs.uniform(0, 0.1f));
         return Numbers<6>{wo.x, wo.y, wo.z, wi.x, wi.y, wi.z};
     });
-    for (const TypeParam& material : materials::parameterSets<TypeParam>()) {
+    materials::forEachSetAndHemisphere<TypeParam>([&](const auto& material, const std::string& name) {
+        SCOPED_TRACE(name);
         expectSame(directions, [&]<class Real>(const std::array<Real, 6>& x) {
             const core::Vec3<Real> wo = vectorAt(x.data()), wi = vectorAt(x.data() + 3);
             const core::Rgb<Real> f = material.template eval<Real>(wo, wi);
             return std::array<Real, 4>{f.x, f.y, f.z, material.template pdfW<Real>(wo, wi)};
         });
-    }
+    });
 }
 
 TYPED_TEST(LanesMaterial, DrawsTheSame) {
@@ -39,7 +40,8 @@ TYPED_TEST(LanesMaterial, DrawsTheSame) {
         const float method = inputs.unit(), u = inputs.unit(), v = inputs.unit();
         return Numbers<7>{wo.x, wo.y, wo.z, method, u, v, inputs.oneOf({1, 1.5f, 1 / 1.5f, 0.1f, 10})};
     });
-    for (const TypeParam& material : materials::parameterSets<TypeParam>()) {
+    materials::forEachSetAndHemisphere<TypeParam>([&](const auto& material, const std::string& name) {
+        SCOPED_TRACE(name);
         const auto results = expectSame(draws, [&]<class Real>(const std::array<Real, 7>& x) {
             const materials::BsdfDraw<Real> u{x[3], {x[4], x[5]}};
             const auto sample = material.template sample<Real>(vectorAt(x.data()), u, x[6]);
@@ -61,7 +63,7 @@ TYPED_TEST(LanesMaterial, DrawsTheSame) {
         const bool canSample = !std::is_same_v<TypeParam, materials::Dielectric> || !material.sampling ||
                                (*material.sampling)[1] + (*material.sampling)[2] > 0;
         EXPECT_EQ(std::any_of(results.begin(), results.end(), isValid), canSample);
-    }
+    });
 }
 
 // Each draw chooses one method, the same at every width.

@@ -28,6 +28,8 @@ TEST(Diffuse, DrawsUniformlyOverTheHemisphereUnlessToldOtherwise) {
     EXPECT_FLOAT_EQ(orange.pdfW(above, above), 1 / (2 * core::pi));
     EXPECT_EQ(orange.pdfW(above, below), 0);
     EXPECT_EQ(orange.pdfW(below, above), 0);
+    const float byTheCosine = orange.pdfW<float, core::CosineHemisphere>(Vec3f(0, 0, 1), above);
+    EXPECT_FLOAT_EQ(byTheCosine, 0.8f / core::pi);
 }
 
 TEST(Diffuse, GivesNoSampleFromBelowOrAlongTheSurface) {
