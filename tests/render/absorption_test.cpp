@@ -2,6 +2,7 @@
 // Seen to fail with powers of 10 for those of e, an absorption 2 % too large, no absorption on shadow rays, on the way
 // to the sky or on that between surfaces, and an eye that is taken to be outside.
 #include "render/converges.h"
+#include "render/each_integrator.h"
 #include "render/optics.h"
 #include "support/quadrature.h"
 
@@ -40,8 +41,11 @@ testing::AssertionResult isLeft(const core::Rgbf& radiance, const glm::dvec3& ex
     return testing::AssertionSuccess();
 }
 
+class Absorption : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, Absorption, eachIntegrator, integratorName);
+
 // Of a slab 0 <= y <= thickness: rays from above go down at a slant.
-TEST(Absorption, OfASlabSeenFromOutsideFollowsBeersLaw) {
+TEST_P(Absorption, OfASlabSeenFromOutsideFollowsBeersLaw) {
     for (const double thickness : {0.01, 0.3, 1.0, 4.0}) {
         for (const glm::dvec3& a : {absorption, glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0.2)}) {
             Murk scene;
@@ -57,7 +61,7 @@ TEST(Absorption, OfASlabSeenFromOutsideFollowsBeersLaw) {
     }
 }
 
-TEST(Absorption, OfASlabSeenFromInsideBeginsAtTheEye) {
+TEST_P(Absorption, OfASlabSeenFromInsideBeginsAtTheEye) {
     Murk scene;
     scene.add("slab", gr::BoxNode{{-10, 0, -10}, {20, 2, 20}}, murky(absorption));
     const glm::dvec3 eye(0.1, 0.7, -0.3);
@@ -69,7 +73,7 @@ TEST(Absorption, OfASlabSeenFromInsideBeginsAtTheEye) {
 }
 
 // Each of two balls, one in the other, absorbs on the part of the way that is in it and not in the other.
-TEST(Absorption, OfABallInABallIsThatOfTheInner) {
+TEST_P(Absorption, OfABallInABallIsThatOfTheInner) {
     Murk scene;
     const glm::dvec3 inner(0.2, 0.9, 0.4), eye(0, 0, 0.5);
     scene.add("outer", gr::SphereNode{{0, 0, 0}, 3}, murky(absorption));
@@ -99,7 +103,7 @@ struct Tank : Murk {
     glm::dvec3 fromEye = left(absorption, glm::length(eye));
 };
 
-TEST(Absorption, ReachesTheWayFromAPointLight) {
+TEST_P(Absorption, ReachesTheWayFromAPointLight) {
     Tank tank;
     const glm::dvec3 lamp(-0.3, 1.2, 0.5), intensity(7, 5, 3);
     tank.addPointLight("lamp", {lamp, intensity, {0, 0, 1}});
@@ -109,7 +113,7 @@ TEST(Absorption, ReachesTheWayFromAPointLight) {
     EXPECT_TRUE(isLeft(Radiometer(tank, tank.eye).sample(rayTowards(tank.eye, {0, 0, 0}), 1, 0), expected));
 }
 
-TEST(Absorption, ReachesTheWayFromAnAreaLight) {
+TEST_P(Absorption, ReachesTheWayFromAnAreaLight) {
     Tank tank;
     const core::Rgbf radiance(7, 5, 3);
     tank.addAreaLight("lamp", radiance, {0.5, 1, 0}, 1.5);
@@ -131,7 +135,7 @@ TEST(Absorption, ReachesTheWayFromAnAreaLight) {
 }
 
 // A speck in the middle of a ball sees the sky through its radius, all round.
-TEST(Absorption, ReachesTheWayOfABounce) {
+TEST_P(Absorption, ReachesTheWayOfABounce) {
     Murk scene;
     scene.add("ball", gr::SphereNode{{0, 0, 0}, 2}, murky(absorption));
     scene.addPolygon("speck", {{-0.001, 0, 0.001}, {0.001, 0, 0.001}, {0, 0, -0.001}}, core::Rgbf(0.8f));
@@ -141,7 +145,7 @@ TEST(Absorption, ReachesTheWayOfABounce) {
 }
 
 // Of glass that reflects R at each surface: the light goes to and fro in it, R e^(-a t) being left each time.
-TEST(Absorption, OfASlabOfGlassAddsUpOverItsReflections) {
+TEST_P(Absorption, OfASlabOfGlassAddsUpOverItsReflections) {
     Murk scene;
     scene.settings.pathLength = 50;
     const double n = 2, thickness = 0.4, r = normalReflectance(n);
@@ -153,7 +157,7 @@ TEST(Absorption, OfASlabOfGlassAddsUpOverItsReflections) {
 }
 
 // The way to the sky is endless.
-TEST(Absorption, LeavesNothingOfTheSkyInAMediumWithoutEnd) {
+TEST_P(Absorption, LeavesNothingOfTheSkyInAMediumWithoutEnd) {
     Murk scene;
     scene.addPolygon("surface", {{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}}, murky({0, 1e-6, 0}));
     for (int path = 0; path < 100; ++path)

@@ -3,6 +3,7 @@
 // the untransformed square, a normal that goes the points' way, the samples' sum for their mean, places on one half of
 // the light, no shadows, and shadow rays that go on behind the light.
 #include "render/converges.h"
+#include "render/each_integrator.h"
 #include "render/lambert.h"
 #include "support/quadrature.h"
 
@@ -124,12 +125,15 @@ TEST(LambertFormula, IsTheIntegralOverTheLight) {
     }
 }
 
-TEST(AreaLight, IsAsBrightAsLambertsFormula) {
+class AreaLight : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, AreaLight, eachIntegrator, integratorName);
+
+TEST_P(AreaLight, IsAsBrightAsLambertsFormula) {
     for (const FloorAndLight& place : cases())
         EXPECT_TRUE(converges(Radiometer(FloorScene(place)), place.ray(), place.expected())) << place.name;
 }
 
-TEST(AreaLight, IsAsBrightWithMoreSamples) {
+TEST_P(AreaLight, IsAsBrightWithMoreSamples) {
     for (const FloorAndLight& place : cases()) {
         FloorScene scene(place);
         scene.settings.samplesPerLightSource = 16;
@@ -138,7 +142,7 @@ TEST(AreaLight, IsAsBrightWithMoreSamples) {
 }
 
 // 16 independent samples have a 16th of one sample's variance.
-TEST(AreaLight, IsLessNoisyWithMoreSamples) {
+TEST_P(AreaLight, IsLessNoisyWithMoreSamples) {
     FloorScene scene(cases()[1]);
     const double one = Radiometer(scene).measure(cases()[1].ray(), 20'000, 3)[0].variance();
     scene.settings.samplesPerLightSource = 16;
@@ -146,7 +150,7 @@ TEST(AreaLight, IsLessNoisyWithMoreSamples) {
     EXPECT_NEAR(one / sixteen, 16, 1);
 }
 
-TEST(AreaLight, AddsToOthers) {
+TEST_P(AreaLight, AddsToOthers) {
     const FloorAndLight& place = cases()[0];
     FloorScene scene(place);
     scene.addAreaLight("second", core::Rgbf(radiance), {2, 0, 3}, 1);
@@ -155,7 +159,7 @@ TEST(AreaLight, AddsToOthers) {
 }
 
 // The blocker's shadow ends in the middle of the light: half of it shines, and that is a rectangle again.
-TEST(AreaLight, IsSeenInPartBehindABlocker) {
+TEST_P(AreaLight, IsSeenInPartBehindABlocker) {
     const FloorAndLight& place = cases()[0];
     FloorScene scene(place);
     scene.addPolygon("blocker", {{0, -1, -1}, {3, -1, -1}, {3, -1, 1}, {0, -1, 1}}, reflectance);
@@ -163,7 +167,7 @@ TEST(AreaLight, IsSeenInPartBehindABlocker) {
     EXPECT_TRUE(converges(Radiometer(scene), place.ray(), place.shows(half)));
 }
 
-TEST(AreaLight, IsHiddenByABlockerAndNotByWhatIsBehindIt) {
+TEST_P(AreaLight, IsHiddenByABlockerAndNotByWhatIsBehindIt) {
     const FloorAndLight& place = cases()[0];
     FloorScene scene(place);
     scene.addPolygon("behind", {{-9, 0.1, -9}, {9, 0.1, -9}, {9, 0.1, 9}, {-9, 0.1, 9}}, reflectance);
@@ -173,7 +177,7 @@ TEST(AreaLight, IsHiddenByABlockerAndNotByWhatIsBehindIt) {
     for (int i = 0; i < 10'000; ++i) ASSERT_EQ(hidden.sample(place.ray(), 1, i), core::Rgbf(0));
 }
 
-TEST(AreaLight, IsDarkOnItsBackAndHidesOtherLights) {
+TEST_P(AreaLight, IsDarkOnItsBackAndHidesOtherLights) {
     const FloorAndLight above{"above", {0.2, 2, 0.1}, -yAxis};
     FloorScene scene(above);
     const Radiometer dark(scene);

@@ -2,6 +2,7 @@
 // Seen to fail with a bounce's cosine dropped, its density doubled, 1 % of its light lost, paths one point too long or
 // too short, emission counted again after a bounce, a lamp's area 2 % too large, and rays that start on the surface.
 #include "render/converges.h"
+#include "render/each_integrator.h"
 
 namespace render {
 namespace {
@@ -17,7 +18,7 @@ glm::dvec3 direction(int i) {
 
 // Inside a diffuse sphere, with a light in its centre that has no falloff, direct light is L_e = R_d * I everywhere.
 // Each bounce brings R_d times as much: N surface points show L_e * (1 - R_d^N) / (1 - R_d).
-struct SphereFurnace {
+struct Furnace {
     core::Rgbf reflectance;
     glm::dvec3 intensity{3, 2, 1};
     glm::dvec3 centre{1, -2, 3};
@@ -38,8 +39,11 @@ struct SphereFurnace {
     }
 };
 
-TEST(SphereFurnace, ShowsTheSumOfSoManyBounces) {
-    const SphereFurnace furnace{.reflectance{0.3f, 0.5f, 0.7f}};
+class SphereFurnace : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, SphereFurnace, eachIntegrator, integratorName);
+
+TEST_P(SphereFurnace, ShowsTheSumOfSoManyBounces) {
+    const Furnace furnace{.reflectance{0.3f, 0.5f, 0.7f}};
     for (const int pathLength : {1, 2, 3, 5}) {
         EXPECT_TRUE(converges(furnace.radiometer(pathLength), furnace.ray(), furnace.radiance(pathLength)))
             << "pathlength " << pathLength;
@@ -47,15 +51,15 @@ TEST(SphereFurnace, ShowsTheSumOfSoManyBounces) {
 }
 
 // 100 points are as good as unlimited: 0.4^100 is nothing in single precision.
-TEST(SphereFurnace, ShowsAllBounces) {
-    const SphereFurnace furnace{.reflectance{0.2f, 0.3f, 0.4f}};
+TEST_P(SphereFurnace, ShowsAllBounces) {
+    const Furnace furnace{.reflectance{0.2f, 0.3f, 0.4f}};
     const glm::dvec3 rho(furnace.reflectance);
     EXPECT_TRUE(converges(furnace.radiometer(100), furnace.ray(), furnace.intensity * rho / (1.0 - rho)));
 }
 
-TEST(SphereFurnace, IsTheSameAtAnyScale) {
+TEST_P(SphereFurnace, IsTheSameAtAnyScale) {
     for (const double scale : {1e-3, 1e4}) {
-        SphereFurnace furnace{.reflectance{0.3f, 0.5f, 0.7f}};
+        Furnace furnace{.reflectance{0.3f, 0.5f, 0.7f}};
         furnace.centre *= scale;
         furnace.radius *= scale;
         EXPECT_TRUE(converges(furnace.radiometer(3), furnace.ray(), furnace.radiance(3))) << scale;
@@ -86,8 +90,11 @@ void squeezeAndTurn(gr::Database& database, const std::string& node) {
 constexpr core::Rgbf reflectance{0.9f, 0.5f, 0.1f};
 constexpr glm::dvec3 surround{5, 3, 2};
 
+class EvenBackground : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, EvenBackground, eachIntegrator, integratorName);
+
 // Whatever is convex sees nothing but the background: R_d of it comes back, after one bounce.
-TEST(EvenBackground, IsReflectedByWhatIsConvex) {
+TEST_P(EvenBackground, IsReflectedByWhatIsConvex) {
     for (const Convex& object : convexObjects()) {
         for (const bool isSqueezed : {false, true}) {
             TestScene scene;
@@ -106,10 +113,9 @@ TEST(EvenBackground, IsReflectedByWhatIsConvex) {
 
 // A closed cube of six lights round the object: as much light from everywhere, but found by light sampling, or, after a
 // bounce, met by chance and not to be counted again.
-class CubeOfLights : public testing::TestWithParam<bool> {
+class CubeOfLights : public EachIntegrator {
 protected:
     CubeOfLights() {
-        scene.settings.globalIllumination = GetParam();
         scene.settings.pathLength = 3;
         scene.database.create(":", "room", gr::TransformNode{});
         const std::pair<int, double> turns[] = {{0, 0}, {0, 90}, {0, 180}, {0, 270}, {2, 90}, {2, -90}};
@@ -124,14 +130,17 @@ protected:
     void expectTheSurround(const gr::NodeContent& object, const char* what) {
         scene.add("object", object, reflectance);
         squeezeAndTurn(scene.database, ":object");
-        EXPECT_TRUE(
-            converges(Radiometer(scene), rayTowards({1.1, 0.9, -0.8}, {0, 0, 0}), surround * glm::dvec3(reflectance)))
-            << what;
-        scene.database.reset();
+        for (const bool everything : {false, true}) {
+            scene.settings.globalIllumination = everything;
+            EXPECT_TRUE(converges(Radiometer(scene), rayTowards({1.1, 0.9, -0.8}, {0, 0, 0}),
+                                  surround * glm::dvec3(reflectance)))
+                << what << (everything ? ", all light" : ", direct light");
+        }
     }
 
     TestScene scene;
 };
+INSTANTIATE_TEST_SUITE_P(By, CubeOfLights, eachIntegrator, integratorName);
 
 TEST_P(CubeOfLights, IsReflectedByASphere) {
     expectTheSurround(convexObjects()[0].content, "sphere");
@@ -148,12 +157,10 @@ TEST_P(CubeOfLights, IsReflectedWhenItIsSheared) {
     expectTheSurround(convexObjects()[2].content, "polyhedron");
 }
 
-INSTANTIATE_TEST_SUITE_P(DirectLightAndAll, CubeOfLights, testing::Values(false, true));
-
 // No light but ambient, which is added at a path's last point: R_d^(N-1) of it gets to the eye, and R_d again.
 // Outside it is as bright as on the sun, so that a single path that leaks shows.
-struct ClosedRoom : TestScene {
-    ClosedRoom(const gr::NodeContent& room, const core::Rgbf& reflectance) {
+struct Room : TestScene {
+    Room(const gr::NodeContent& room, const core::Rgbf& reflectance) {
         add("room", room, reflectance);
         settings.globalIllumination = true;
         settings.pathLength = 3;
@@ -164,19 +171,22 @@ struct ClosedRoom : TestScene {
 
 const core::Rayf fromInside = rayTowards({0, 0, 0}, {1, 2, 3});
 
-TEST(ClosedRoom, ShowsTheAmbientLightOfPathsThatAreAtTheirEnd) {
+class ClosedRoom : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, ClosedRoom, eachIntegrator, integratorName);
+
+TEST_P(ClosedRoom, ShowsTheAmbientLightOfPathsThatAreAtTheirEnd) {
     const core::Rgbf reflectance(0.7f, 0.5f, 0.2f);
     for (const Convex& room : convexObjects()) {
-        const ClosedRoom scene(room.content, reflectance);
+        const Room scene(room.content, reflectance);
         const glm::dvec3 expected = glm::dvec3(scene.ambient) * glm::pow(glm::dvec3(reflectance), glm::dvec3(3));
         EXPECT_TRUE(converges(Radiometer(scene), fromInside, expected)) << room.name;
     }
 }
 
 // Squeezed, the tetrahedron has edges of 26 degrees, and a ray may start very near to one.
-TEST(ClosedRoom, LeaksNowhere) {
+TEST_P(ClosedRoom, LeaksNowhere) {
     for (const Convex& room : convexObjects()) {
-        ClosedRoom scene(room.content, core::Rgbf(1));
+        Room scene(room.content, core::Rgbf(1));
         scene.settings.pathLength = 200;
         scene.ambient = core::Rgbf(0);
         squeezeAndTurn(scene.database, ":room");

@@ -3,6 +3,7 @@
 // Seen to fail with a light's emission counted again after a bounce, the bounce's cosine dropped, its density doubled,
 // and a path one point too short.
 #include "render/converges.h"
+#include "render/each_integrator.h"
 #include "render/lambert.h"
 #include "support/quadrature.h"
 
@@ -44,7 +45,10 @@ struct FloorAndWall : TestScene {
     double height;
 };
 
-TEST(IndirectLight, OfAnAreaLightComesFromTheWallAlone) {
+class IndirectLight : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, IndirectLight, eachIntegrator, integratorName);
+
+TEST_P(IndirectLight, OfAnAreaLightComesFromTheWallAlone) {
     FloorAndWall scene(3);
     // The lamp turns its back to the floor.
     scene.addAreaLight("lamp", core::Rgbf(radiance), {0, 0, 0}, 0.8);
@@ -58,7 +62,7 @@ TEST(IndirectLight, OfAnAreaLightComesFromTheWallAlone) {
 
 // Half of the floor's sky is wall, a good part of the rest is lamp: the lamp must not be counted when a bounce meets
 // it.
-TEST(IndirectLight, OfAnAreaLightAddsToItsDirectLight) {
+TEST_P(IndirectLight, OfAnAreaLightAddsToItsDirectLight) {
     FloorAndWall scene(2);
     scene.addAreaLight("lamp", core::Rgbf(radiance), {-0.4, 2, 0}, 2.4);
     const Polygon lamp{{-1.6, 2, -1.2}, {0.8, 2, -1.2}, {0.8, 2, 1.2}, {-1.6, 2, 1.2}};
@@ -71,7 +75,7 @@ TEST(IndirectLight, OfAnAreaLightAddsToItsDirectLight) {
     EXPECT_TRUE(converges(Radiometer(scene), scene.ray(), direct));
 }
 
-TEST(IndirectLight, OfAPointLightAddsToItsDirectLight) {
+TEST_P(IndirectLight, OfAPointLightAddsToItsDirectLight) {
     FloorAndWall scene(2.5);
     const glm::dvec3 lamp(0.3, 1.2, -0.4), attenuation(0.5, 0.2, 0.3);
     scene.addPointLight("lamp", {lamp, radiance, attenuation});
@@ -88,7 +92,7 @@ TEST(IndirectLight, OfAPointLightAddsToItsDirectLight) {
 
 // The background comes in over the wall, whose own part is dark: what is left is the open part of the sky, as bright as
 // a polygon of that radiance would be, and what the wall has of the sky itself.
-TEST(IndirectLight, OfTheBackgroundIsWhatTheWallLeavesOpen) {
+TEST_P(IndirectLight, OfTheBackgroundIsWhatTheWallLeavesOpen) {
     FloorAndWall scene(3);
     scene.settings.background = core::Rgbf(radiance);
     const Polygon wall{{1, 0, -2}, {1, 3, -2}, {1, 3, 2}, {1, 0, 2}};

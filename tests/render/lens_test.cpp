@@ -4,9 +4,7 @@
 #include "render/camera.h"
 
 #include "core/lanes.h"
-#include "render/test_scene.h"
-
-#include <gtest/gtest.h>
+#include "render/each_integrator.h"
 
 #include <numbers>
 
@@ -79,12 +77,14 @@ TEST(Lens, IsTheSameInLanes) {
 }
 
 // The edge of a large lamp across the view, at a distance; what a place in the picture shows of it.
-class Edge : public testing::Test {
+class Edge : public EachIntegrator {
 protected:
-    // The lamp ends to the right of the place's point at that distance by `beyond`, or, upright, above it.
-    support::RunningMean lit(const Vec2f& place, double distance, double beyond, bool upright, int samples) const {
+    // The lamp ends to the right of the pixel's centre at that distance by `beyond`, or, upright, above it.
+    // Of pictures of 16 samples, each of a seed of its own.
+    support::RunningMean lit(const glm::ivec2& pixel, double distance, double beyond, bool upright,
+                             std::uint64_t pictures) const {
         TestScene scene;
-        const glm::dvec3 point = eye + distance * glm::dvec3((place.x - 4) / 3.0, (3 - place.y) / 3.0, -1);
+        const glm::dvec3 point = eye + distance * glm::dvec3((pixel.x - 3.5) / 3, (2.5 - pixel.y) / 3, -1);
         const double half = 30;
         scene.database.create(":", "lamp", gr::TransformNode{});
         scene.database.translate(":lamp",
@@ -92,12 +92,16 @@ protected:
         scene.database.rotate(":lamp", 0, -90);  // it shines along +z
         scene.database.create(":lamp", "square", gr::AreaLightNode{core::Rgbf(1), {0, 0, 0}, 2 * half});
         const Radiometer radiometer(scene);
+        const SampleBlock block{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1, 0, 16};
+        const std::atomic<bool> stop = false;
         support::RunningMean mean;
-        for (int i = 0; i < samples; ++i) {
-            Sampler sampler(1, 0, 0, i);
-            RayCounts rays;
-            const core::Rayf ray = camera.ray(place, sampler.next2D());
-            mean.add(radiometer.integrator().radiance(ray, sampler, rays).x);
+        for (std::uint64_t seed = 1; seed <= pictures; ++seed) {
+            Samples samples;
+            samples.radiance.resize(16);
+            radiometer.measuringIntegrator().render({camera, false, seed, 16}, block, samples, stop);
+            double sum = 0;
+            for (const core::Rgbf& radiance : samples.radiance) sum += radiance.x;
+            mean.add(sum / 16);
         }
         return mean;
     }
@@ -105,6 +109,7 @@ protected:
     const glm::dvec3 eye{1, 2, 3};
     const Camera camera = withLens(Camera(eye, {0, 0, -1}, {0, 1, 0}, 90, 8, 6));
 };
+INSTANTIATE_TEST_SUITE_P(By, Edge, eachIntegrator, integratorName);
 
 // The part of a disc of radius 1 on one side of a chord.
 double segment(double beyond) {
@@ -112,32 +117,32 @@ double segment(double beyond) {
 }
 
 // The disc grows with the distance from the plane in focus, alike in the middle of the picture and in its corner.
-TEST_F(Edge, IsBlurredByTheLensDisc) {
+TEST_P(Edge, IsBlurredByTheLensDisc) {
     for (const double distance : {2.0, 9.0}) {
         const double blur = radius * std::abs(1 - distance / focus);
-        for (const Vec2f& place : {Vec2f(4, 3), Vec2f(0.5f, 0.25f)}) {
+        for (const glm::ivec2& pixel : {glm::ivec2(4, 3), glm::ivec2(0, 0)}) {
             for (const bool upright : {false, true}) {
                 const double beyond = upright ? -0.6 : 0.3;
                 const support::TestResult result =
-                    support::zTest(lit(place, distance, beyond * blur, upright, 200'000), segment(beyond));
-                EXPECT_TRUE(result.accepted) << "distance " << distance << ", place " << place.x << ": " << result.text;
+                    support::zTest(lit(pixel, distance, beyond * blur, upright, 12'500), segment(beyond));
+                EXPECT_TRUE(result.accepted) << "distance " << distance << ", pixel " << pixel.x << ": " << result.text;
             }
         }
     }
 }
 
-TEST_F(Edge, EndsWhereTheDiscEnds) {
+TEST_P(Edge, EndsWhereTheDiscEnds) {
     const double blur = radius * (9 / focus - 1);
-    EXPECT_EQ(lit({0.5f, 0.25f}, 9, 1.001 * blur, false, 20'000).mean(), 1);
-    EXPECT_EQ(lit({0.5f, 0.25f}, 9, -1.001 * blur, false, 20'000).mean(), 0);
-    EXPECT_LT(lit({0.5f, 0.25f}, 9, 0.98 * blur, false, 20'000).mean(), 1);
+    EXPECT_EQ(lit({0, 0}, 9, 1.001 * blur, false, 1'250).mean(), 1);
+    EXPECT_EQ(lit({0, 0}, 9, -1.001 * blur, false, 1'250).mean(), 0);
+    EXPECT_LT(lit({0, 0}, 9, 0.98 * blur, false, 1'250).mean(), 1);
 }
 
-TEST_F(Edge, IsSharpAllOverThePlaneInFocus) {
-    for (const Vec2f& place : places) {
+TEST_P(Edge, IsSharpAllOverThePlaneInFocus) {
+    for (const glm::ivec2& pixel : {glm::ivec2(4, 3), {0, 0}, {7, 0}, {1, 5}, {7, 5}}) {
         for (const bool upright : {false, true}) {
-            EXPECT_EQ(lit(place, focus, 1e-4, upright, 500).mean(), 1) << place.x << " " << place.y;
-            EXPECT_EQ(lit(place, focus, -1e-4, upright, 500).mean(), 0) << place.x << " " << place.y;
+            EXPECT_EQ(lit(pixel, focus, 1e-4, upright, 50).mean(), 1) << pixel.x << " " << pixel.y;
+            EXPECT_EQ(lit(pixel, focus, -1e-4, upright, 50).mean(), 0) << pixel.x << " " << pixel.y;
         }
     }
 }

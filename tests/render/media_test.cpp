@@ -6,6 +6,7 @@
 #include "render/media.h"
 
 #include "render/converges.h"
+#include "render/each_integrator.h"
 
 namespace render {
 namespace {
@@ -146,8 +147,11 @@ TEST_F(Drop, IsGoneThrough) {
     EXPECT_EQ(goTo(media, {0, 0, 0}, {0, 0, 2}, scene_, *accelerator_), 2);
 }
 
+class MediaOfTheLens : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, MediaOfTheLens, eachIntegrator, integratorName);
+
 // The surface of a tank cuts through the lens: a ray knows which part of it it comes from.
-TEST(MediaOfTheLens, AreThoseOfThePlaceOnIt) {
+TEST_P(MediaOfTheLens, AreThoseOfThePlaceOnIt) {
     TestScene scene;
     scene.settings.globalIllumination = true;
     scene.settings.background = core::Rgbf(1);
@@ -162,8 +166,11 @@ TEST(MediaOfTheLens, AreThoseOfThePlaceOnIt) {
     }
 }
 
+class MediaOfOpenSurfaces : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, MediaOfOpenSurfaces, eachIntegrator, integratorName);
+
 // A glass surface without an end, seen from behind: the way to it was in glass, though nothing was entered.
-TEST(MediaOfOpenSurfaces, BeginAtTheEye) {
+TEST_P(MediaOfOpenSurfaces, BeginAtTheEye) {
     TestScene scene;
     scene.settings.globalIllumination = true;
     scene.settings.background = core::Rgbf(1);

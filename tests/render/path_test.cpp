@@ -1,5 +1,6 @@
 // How far a path goes, and what it collects on its way.
 #include "render/converges.h"
+#include "render/each_integrator.h"
 
 namespace render {
 namespace {
@@ -20,7 +21,10 @@ struct Room : TestScene {
 
 const core::Rayf ray = rayTowards({-1, 0, -2.5}, {0.4, -2, 1});
 
-TEST(Path, SeesALightAsItIs) {
+class Path : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, Path, eachIntegrator, integratorName);
+
+TEST_P(Path, SeesALightAsItIs) {
     for (const bool everything : {false, true}) {
         for (const int pathLength : {1, 2, 5}) {
             Room scene;
@@ -34,7 +38,7 @@ TEST(Path, SeesALightAsItIs) {
 }
 
 // It is opaque: neither what is behind it is seen nor the background.
-TEST(Path, SeesALightsBackDark) {
+TEST_P(Path, SeesALightsBackDark) {
     Room scene;
     scene.settings.globalIllumination = true;
     scene.settings.background = core::Rgbf(1);
@@ -44,8 +48,9 @@ TEST(Path, SeesALightsBackDark) {
         ASSERT_EQ(radiometer.sample(rayTowards({0, 2.9, 0}, {0.3, 2.5, 0.8}), 1, i), core::Rgbf(0));
 }
 
-// Another path length draws the same random numbers as far as both paths go, so that a longer path can only add.
-TEST(Path, BringsMoreTheLongerItMayBe) {
+// Another path length draws the same random numbers as far as both paths go, so that a longer path can only add. (The
+// path integrator's may take away: what light samples bring counts less where the path may meet the light, too.)
+TEST(ReportPath, BringsMoreTheLongerItMayBe) {
     Room scene;
     scene.settings.globalIllumination = true;
     std::vector<std::unique_ptr<Radiometer>> radiometers;
@@ -67,7 +72,7 @@ TEST(Path, BringsMoreTheLongerItMayBe) {
     for (std::size_t n = 0; n < radiometers.size(); ++n) EXPECT_GT(brighter[n], 1'000) << n + 1 << " points";
 }
 
-TEST(Path, OfOnePointIsAllThereIsWithoutGlobalIllumination) {
+TEST_P(Path, OfOnePointIsAllThereIsWithoutGlobalIllumination) {
     Room off, one;
     off.ambient = one.ambient = core::Rgbf(0.3f);
     off.settings.pathLength = 7;
@@ -77,7 +82,7 @@ TEST(Path, OfOnePointIsAllThereIsWithoutGlobalIllumination) {
     for (int i = 0; i < 1'000; ++i) ASSERT_EQ(radiometerOff.sample(ray, 1, i), radiometerOne.sample(ray, 1, i));
 }
 
-TEST(Path, CountsItsRays) {
+TEST(ReportPath, CountsItsRays) {
     Room scene;
     scene.database.remove(":lamp");  // no path ends but by its length
     scene.settings.globalIllumination = true;
@@ -96,7 +101,7 @@ TEST(Path, CountsItsRays) {
 }
 
 // Every draw comes from the sampler, and nothing is kept between paths.
-TEST(Path, DependsOnItsSamplerAlone) {
+TEST(ReportPath, DependsOnItsSamplerAlone) {
     Room scene;
     scene.settings.globalIllumination = true;
     scene.settings.pathLength = 4;

@@ -1,5 +1,6 @@
 // Light without noise: what points of light, the ambient and the background give is known to single precision.
 #include "render/converges.h"
+#include "render/each_integrator.h"
 
 #include <gmock/gmock.h>
 
@@ -27,7 +28,10 @@ glm::dvec3 shown(const glm::dvec3& light, const glm::dvec3& point, const glm::dv
            (attenuation.x + attenuation.y * distance + attenuation.z * distance * distance);
 }
 
-TEST(PointLight, FallsOffAsItsAttenuationSays) {
+class PointLight : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, PointLight, eachIntegrator, integratorName);
+
+TEST_P(PointLight, FallsOffAsItsAttenuationSays) {
     const glm::dvec3 position(1, 2, -1.5);
     const glm::dvec3 attenuations[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.2, 0.1}};
     const glm::dvec3 points[] = {{1, 0, -1.5}, {0, 0, 0}, {-3, 0, 4}, {8.5, 0, -8.5}};
@@ -41,14 +45,14 @@ TEST(PointLight, FallsOffAsItsAttenuationSays) {
     }
 }
 
-TEST(PointLight, LooksTheSameFromEverywhere) {
+TEST_P(PointLight, LooksTheSameFromEverywhere) {
     Floor scene;
     scene.addPointLight("lamp", {{1, 2, 3}, intensity, {0, 0, 1}});
     for (const glm::dvec3& eye : {glm::dvec3(0, 9, 0), {8, 0.1, 8}, {-3, 1, 0.5}})
         EXPECT_TRUE(isNear(scene.radianceAt({1, 0, 1}, eye), shown({1, 2, 3}, {1, 0, 1}, {0, 0, 1})));
 }
 
-TEST(PointLight, AddsToOthersAndShinesOnlyWhenNamed) {
+TEST_P(PointLight, AddsToOthersAndShinesOnlyWhenNamed) {
     Floor scene;
     scene.addPointLight("left", {{-2, 2, 0}, intensity, {0, 0, 1}});
     scene.addPointLight("right", {{2, 1, 0}, intensity, {1, 0, 0}});
@@ -61,7 +65,7 @@ TEST(PointLight, AddsToOthersAndShinesOnlyWhenNamed) {
 }
 
 // A surface is lit and seen on the same side, or it is dark. Which way its polygon is wound does not matter.
-TEST(PointLight, ShinesOnTheSideThatIsSeen) {
+TEST_P(PointLight, ShinesOnTheSideThatIsSeen) {
     for (const bool isTurned : {false, true}) {
         TestScene scene;
         std::vector<glm::dvec3> outline{{-9, 0, -9.5}, {9.25, 0, -9}, {9, 0, 9.25}, {-9.5, 0, 9}};
@@ -76,7 +80,7 @@ TEST(PointLight, ShinesOnTheSideThatIsSeen) {
 }
 
 // A ball at height 1 under a light at height 2: its shadow is a disc, whose edge the tangent cone draws.
-TEST(PointLight, CastsASharpShadow) {
+TEST_P(PointLight, CastsASharpShadow) {
     Floor scene;
     scene.addPointLight("lamp", {{0, 2, 0}, intensity, {0, 0, 1}});
     scene.add("ball", gr::SphereNode{{0, 1, 0}, 0.5}, reflectance);
@@ -91,7 +95,7 @@ TEST(PointLight, CastsASharpShadow) {
     }
 }
 
-TEST(PointLight, IsNotHiddenByWhatIsBehindIt) {
+TEST_P(PointLight, IsNotHiddenByWhatIsBehindIt) {
     Floor scene;
     scene.addPointLight("lamp", {{0, 2, 0}, intensity, {0, 0, 1}});
     scene.add("ceiling", gr::BoxNode{{-9, 2.01, -9}, {18, 1, 18}}, reflectance);
@@ -99,7 +103,7 @@ TEST(PointLight, IsNotHiddenByWhatIsBehindIt) {
 }
 
 // At the light itself there is no direction to it. Nothing may come of that but a number.
-TEST(PointLight, IsFiniteOnASurface) {
+TEST_P(PointLight, IsFiniteOnASurface) {
     TestScene scene;
     scene.add("ball", gr::SphereNode{}, reflectance);
     scene.addPointLight("lamp", {{0, 1, 0}, intensity, {0, 0, 1}});
@@ -108,7 +112,10 @@ TEST(PointLight, IsFiniteOnASurface) {
         EXPECT_TRUE(core::isFinite(radiometer.sample(rayTowards({off, 5, 0}, {off, 0, 0}), 1, 0))) << off;
 }
 
-TEST(AmbientLight, IsAddedToEverySurfaceWithoutGlobalIllumination) {
+class AmbientLight : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, AmbientLight, eachIntegrator, integratorName);
+
+TEST_P(AmbientLight, IsAddedToEverySurfaceWithoutGlobalIllumination) {
     Floor scene;
     scene.ambient = core::Rgbf(0.1f, 0.2f, 0.4f);
     scene.settings.background = core::Rgbf(5);
@@ -120,7 +127,7 @@ TEST(AmbientLight, IsAddedToEverySurfaceWithoutGlobalIllumination) {
 }
 
 // A path that leaves the scene, or ends at a light, has not been cut short: it gets no ambient light.
-TEST(AmbientLight, IsNotAddedToAPathThatEndsBefore) {
+TEST_P(AmbientLight, IsNotAddedToAPathThatEndsBefore) {
     Floor scene;
     scene.ambient = core::Rgbf(1);
     scene.settings.globalIllumination = true;
@@ -131,7 +138,10 @@ TEST(AmbientLight, IsNotAddedToAPathThatEndsBefore) {
     EXPECT_EQ(Radiometer(scene).sample(rayTowards({0, 1, 0}, {0, 2, 0}), 1, 0), core::Rgbf(2, 3, 4));
 }
 
-TEST(Background, IsSeenWhereNothingElseIs) {
+class Background : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, Background, eachIntegrator, integratorName);
+
+TEST_P(Background, IsSeenWhereNothingElseIs) {
     Floor scene;
     scene.settings.background = core::Rgbf(0.5f, 0.25f, 2);
     for (const bool everything : {false, true}) {

@@ -5,6 +5,7 @@
 // does not turn with the surface, Fresnel's term at right angles only, and uniform directions where a method cannot be
 // used.
 #include "render/converges.h"
+#include "render/each_integrator.h"
 #include "render/optics.h"
 #include "support/quadrature.h"
 
@@ -66,7 +67,10 @@ support::RunningMean measured(const TestScene& scene, const core::Rayf& ray, int
     return Radiometer(scene).measure(ray, samples, 1)[static_cast<std::size_t>(channel)];
 }
 
-TEST(ShirleyLight, IsTheSameByEveryMixture) {
+class ShirleyLight : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, ShirleyLight, eachIntegrator, integratorName);
+
+TEST_P(ShirleyLight, IsTheSameByEveryMixture) {
     const std::optional<Weights> mixtures[] = {
         std::nullopt,
         Weights{1, 0, 0, 0},
@@ -93,8 +97,9 @@ TEST(ShirleyLight, IsTheSameByEveryMixture) {
     }
 }
 
-// With a lamp that fills all of what a narrow highlight shows, and no sky: light sampling brings it, and no other.
-TEST(ShirleyLight, OfALampIsNotCountedWhereItIsMet) {
+// With a lamp that fills all of what a narrow highlight shows, and no sky: light sampling brings it, and no other. The
+// path integrator weighs both ways to find it.
+TEST(ReportShirleyLight, OfALampIsNotCountedWhereItIsMet) {
     for (const Weights& sampling : {Weights{0, 0, 0, 1}, Weights{0, 1, 0, 0}, Weights{1, 0, 0, 0}}) {
         Shirley material = metal;
         material.sampling = sampling;
@@ -108,7 +113,7 @@ TEST(ShirleyLight, OfALampIsNotCountedWhereItIsMet) {
     }
 }
 
-TEST(ShirleyLight, OfAnEvenSkyIsTheAlbedo) {
+TEST_P(ShirleyLight, OfAnEvenSkyIsTheAlbedo) {
     const std::pair<core::Vec2f, glm::dvec3> cases[] = {
         {{0, 0}, {0.1, 1, 0.1}}, {{10, 10}, {0.1, 0.1, -1}}, {{3, 200}, {1, 0.3, 0.2}}};
     for (const auto& [exponents, eye] : cases) {
@@ -123,8 +128,11 @@ TEST(ShirleyLight, OfAnEvenSkyIsTheAlbedo) {
     }
 }
 
+class DiffuseLight : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, DiffuseLight, eachIntegrator, integratorName);
+
 // What a diffuse material is asked and cannot do is black, and the rest is as much brighter.
-TEST(DiffuseLight, IsTheSameWhenAskedToRefract) {
+TEST_P(DiffuseLight, IsTheSameWhenAskedToRefract) {
     const Weights mixtures[] = {{1, 0, 0, 0}, {0.5f, 0, 0.5f, 0}, {0.4f, 0, 0, 0.6f}, {0.25f, 0.25f, 0.25f, 0.25f}};
     for (const Weights& sampling : mixtures) {
         Speck<Diffuse> scene(Diffuse{.reflectance = {0.8f, 0.5f, 0.2f}, .sampling = sampling});
@@ -134,7 +142,7 @@ TEST(DiffuseLight, IsTheSameWhenAskedToRefract) {
     }
 }
 
-TEST(DiffuseLight, OfRefractedPathsIsBlack) {
+TEST_P(DiffuseLight, OfRefractedPathsIsBlack) {
     for (const Weights& sampling : {Weights{0, 0, 1, 0}, Weights{0, 0, 0, 1}}) {
         Speck<Diffuse> scene(Diffuse{.sampling = sampling});
         scene.settings.background = sky;

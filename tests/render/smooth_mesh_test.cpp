@@ -2,6 +2,7 @@
 // Seen to fail with the check of sides left out of the light samples, of the bounces, and with the normal not bent.
 #include "gr/random_shapes.h"
 #include "render/converges.h"
+#include "render/each_integrator.h"
 
 namespace render {
 namespace {
@@ -39,7 +40,7 @@ struct Ball : TestScene {
     std::unique_ptr<gr::Scene> scene;
 };
 
-TEST(SmoothMesh, TheNormalIsTheSpheresAndOnTheRaysSide) {
+TEST(SmoothMeshNormal, IsTheSpheresAndOnTheRaysSide) {
     Ball ball(materials::Diffuse{}, 1);
     ball.database.scale(":ball", {0, 0, 0}, {1, -2, 0.5});
     int met = 0, bent = 0;
@@ -64,7 +65,7 @@ TEST(SmoothMesh, TheNormalIsTheSpheresAndOnTheRaysSide) {
     EXPECT_GT(bent, 5);
 }
 
-TEST(SmoothMesh, HasItsShadingNormalInThePicturesLayer) {
+TEST(SmoothMeshNormal, IsInThePicturesLayer) {
     Ball ball(materials::Diffuse{}, 1);
     const Radiometer radiometer(ball);
     int met = 0;
@@ -83,8 +84,11 @@ TEST(SmoothMesh, HasItsShadingNormalInThePicturesLayer) {
     EXPECT_GT(met, 100);
 }
 
+class SmoothMesh : public EachIntegrator {};
+INSTANTIATE_TEST_SUITE_P(By, SmoothMesh, eachIntegrator, integratorName);
+
 // R_d I cos to the shading normal, and nothing where the light is behind the surface or behind the normal.
-TEST(SmoothMesh, NoLightBehindTheTerminator) {
+TEST_P(SmoothMesh, NoLightBehindTheTerminator) {
     const core::Vec3f lamp(300, 100, -200);
     Ball ball(materials::Diffuse{{0.5f, 0.25f, 1}});
     ball.addPointLight("sun", {glm::dvec3(lamp), {2, 2, 2}, core::Vec3f(1, 0, 0)});
@@ -108,7 +112,7 @@ TEST(SmoothMesh, NoLightBehindTheTerminator) {
     EXPECT_GT(lit, 500);
 }
 
-TEST(SmoothMesh, IsNoBrighterThanTheSkyThatItReflects) {
+TEST_P(SmoothMesh, IsNoBrighterThanTheSkyThatItReflects) {
     const core::Rgbf reflectance(0.8f, 0.5f, 1);
     for (const int cuts : {0, 1, 3}) {
         Ball ball(materials::Diffuse{reflectance}, cuts);
@@ -130,7 +134,7 @@ TEST(SmoothMesh, IsNoBrighterThanTheSkyThatItReflects) {
 }
 
 // A path that goes on from a convex body never meets it again, so it brings nothing behind the first point.
-TEST(SmoothMesh, AConvexBallDoesNotLightItself) {
+TEST_P(SmoothMesh, AConvexBallDoesNotLightItself) {
     Ball ball(materials::Diffuse{{1, 1, 1}});
     ball.addPointLight("sun", {{300, 100, -200}, {2, 2, 2}, core::Vec3f(1, 0, 0)});
     ball.settings.pathLength = 1;
@@ -141,7 +145,7 @@ TEST(SmoothMesh, AConvexBallDoesNotLightItself) {
 }
 
 // Lights and sky stand outside of a closed mesh: nothing of them is seen in it.
-TEST(SmoothMesh, NoLightComesThrough) {
+TEST_P(SmoothMesh, NoLightComesThrough) {
     const materials::Material matt = materials::Diffuse{{1, 1, 1}, core::Weights{1, 1, 0, 0}, 30};
     const materials::Material shiny = materials::Shirley{};
     for (const materials::Material& material : {matt, shiny}) {

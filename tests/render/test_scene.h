@@ -53,6 +53,9 @@ inline core::Rayf rayTowards(const glm::dvec3& from, const glm::dvec3& to) {
 // A scene made ready to be measured. Later changes of the TestScene do not reach it.
 class Radiometer {
 public:
+    // Which integrator sample() and measure() ask: "report" or "path". Tests of both say so (each_integrator.h).
+    static inline core::Word measuresWith = "report";
+
     // eye: only where there are dielectrics does it matter. Rays from elsewhere are right too, and slower.
     explicit Radiometer(const TestScene& scene, const glm::dvec3& eye = {0, 0, 0})
         : scene_(gr::compile(scene.database, ":", scene.pointLights)),
@@ -64,23 +67,44 @@ public:
 
     const ScalarIntegrator& integrator() const { return *integrator_; }
     const Integrator& pathIntegrator() const { return *path_; }
+    const Integrator& measuringIntegrator() const { return measuresWith == "path" ? *path_ : *integrator_; }
 
     // One path.
     core::Rgbf sample(const core::Rayf& ray, std::uint64_t seed, int number) const {
-        Sampler sampler(seed, 0, 0, number);
-        RayCounts rays;
-        return integrator_->radiance(ray, sampler, rays);
+        return samples(ray, seed, number, 1)[0];
     }
-    RgbMean measure(const core::Rayf& ray, int samples, std::uint64_t seed) const {
+    // Paths know nothing of each other, with either integrator.
+    RgbMean measure(const core::Rayf& ray, int count, std::uint64_t seed) const {
+        constexpr int most = 4096;
         RgbMean mean;
-        for (int i = 0; i < samples; ++i) {
-            const core::Rgbf radiance = sample(ray, seed, i);
-            for (int channel = 0; channel < 3; ++channel) mean[channel].add(radiance[channel]);
-        }
+        for (int first = 0; first < count; first += most)
+            for (const core::Rgbf& radiance : samples(ray, seed, first, std::min(most, count - first)))
+                for (int channel = 0; channel < 3; ++channel)
+                    mean[static_cast<std::size_t>(channel)].add(radiance[channel]);
         return mean;
     }
 
 private:
+    std::vector<core::Rgbf> samples(const core::Rayf& ray, std::uint64_t seed, int first, int count) const {
+        Samples samples;
+        samples.radiance.resize(static_cast<std::size_t>(count));
+        if (measuresWith == "path") {
+            // A pixel's samples are spread evenly, so that each is the only one of its pixel here; and the view is so
+            // narrow that all pixels look along the ray.
+            const glm::dvec3 view(ray.direction);
+            const glm::dvec3 up = std::abs(view.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+            const Camera camera(glm::dvec3(ray.origin), view, up, 1e-18, 1, 1);
+            const std::atomic<bool> stop = false;
+            path_->render({camera, false, seed, 1}, {first, 0, first + count, 1, 0, 1}, samples, stop);
+            return std::move(samples.radiance);
+        }
+        for (core::Rgbf& radiance : samples.radiance) {
+            Sampler sampler(seed, 0, 0, first++);
+            radiance = integrator_->radiance(ray, sampler, samples.rays);
+        }
+        return std::move(samples.radiance);
+    }
+
     gr::Scene scene_;
     std::unique_ptr<gr::Accelerator> accelerator_;
     std::unique_ptr<ScalarIntegrator> integrator_;
