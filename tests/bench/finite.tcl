@@ -2,7 +2,7 @@
 # many samples were dropped. Exits with 1 if any was.
 # Words: how many samples all scenes get together, 10^7 unless told otherwise; the names of scenes; none: all.
 # Environment: OPTIONS, more options for gr_render, e.g. "lanes float".
-# Seen to fail with a density that is not a number where a light is seen at a right angle.
+# Seen to fail with the infinite density of camera rays weighed against a light's: infinity by infinity.
 
 source [file join [file dirname [info script]] .. support render_words.tcl]
 set folder [file normalize [file join [file dirname [info script]] .. .. scenes]]

@@ -1,6 +1,6 @@
 // Lanes one by one: masks as bits, and numbers that are put into lanes and taken out of them.
-// Seen to fail with masks compared as numbers, bits in reverse order, the last lane left out, the lowest bit taken
-// twice, and indices of a lane's neighbour.
+// Seen to fail with masks compared as numbers (on SSE), `or` for what differs, the last lane left out, lanes walked
+// backwards or twice, the bit of a lane's neighbour, an index one too large, and whole numbers one too large.
 #include <gtest/gtest.h>
 
 #include "lanes/both_widths.h"
