@@ -1,9 +1,8 @@
 // Albedo, normal and depth against what geometry says.
 // Seen to fail with the depth along the ray, the normal not turned to the eye, an albedo for lamps, and the depth a
 // mean over all samples.
+#include "render/each_integrator.h"
 #include "render/layer_picture.h"
-
-#include <gtest/gtest.h>
 
 namespace render {
 namespace {
@@ -16,20 +15,17 @@ const glm::dvec3 eye(1, -2, 9), view = glm::normalize(glm::dvec3(-0.1, 0.25, -1)
 const Camera camera(eye, view, {0.1, 2, 0.3}, 60, width, height);
 
 // One sample through the centre of each pixel, with either integrator.
-class SurfaceLayers : public testing::TestWithParam<const char*> {
+class SurfaceLayers : public EachIntegrator {
 protected:
     static Film picture(const TestScene& scene, const Camera& camera = render::camera,
                         const glm::dvec3& eye = render::eye) {
         RenderSettings settings = scene.settings;
         settings.samplesPerPixel = 1;
-        const Radiometer radiometer(scene, eye);
-        const bool isPath = std::string_view(GetParam()) == "path";
-        return layersOf(isPath ? radiometer.pathIntegrator() : radiometer.integrator(), camera, settings,
+        return layersOf(Radiometer(scene, eye).measuringIntegrator(), camera, settings,
                         Film(width, height, 0, height, everyLayer));
     }
 };
-INSTANTIATE_TEST_SUITE_P(By, SurfaceLayers, testing::Values("report", "path"),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(By, SurfaceLayers, eachIntegrator, integratorName);
 
 void expectNothing(const Film& film, int x, int y) {
     EXPECT_EQ(vectorAt(film, Layer::albedo, x, y), Rgbf(0));
@@ -104,7 +100,7 @@ Film lookUp(const TestScene& scene) {
     RenderSettings settings = scene.settings;
     settings.antialiasing = true;
     settings.samplesPerPixel = 9;
-    return layersOf(Radiometer(scene, {0, 0, 0}).integrator(), camera, settings, Film(2, 2, 0, 2, everyLayer));
+    return layersOf(Radiometer(scene, {0, 0, 0}).measuringIntegrator(), camera, settings, Film(2, 2, 0, 2, everyLayer));
 }
 
 Film ceiling(const materials::Material& material) {
@@ -155,7 +151,8 @@ TEST_P(SurfaceLayers, AreMeansOverThePixel) {
     scene.addPolygon("wall", {{-9, -9, -2}, {-1, -9, -2}, {-1, 9, -2}, {-9, 9, -2}}, colour);
     scene.settings.antialiasing = true;
     const Camera camera({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 90, 2, 2);
-    const Film film = layersOf(Radiometer(scene).integrator(), camera, scene.settings, Film(2, 2, 0, 2, everyLayer));
+    const Film film =
+        layersOf(Radiometer(scene).measuringIntegrator(), camera, scene.settings, Film(2, 2, 0, 2, everyLayer));
     EXPECT_EQ(vectorAt(film, Layer::albedo, 0, 0), colour / 2.f);
     EXPECT_EQ(vectorAt(film, Layer::normal, 0, 0), Vec3f(0, 0, 0.5f));
     EXPECT_NEAR(numberAt(film, Layer::depth, 0, 0), 2, 1e-6) << "over those that met it";
