@@ -21,7 +21,5 @@ void printSummary(const RenderReport& report, const RenderJob& job);
 
 // The name of the option that ended a render.
 std::string stoppedText(render::StoppedBy stoppedBy);
-// An estimated relative error, as exactly as it is known.
-std::string noiseText(double noise);
 
 }  // namespace grsh

@@ -4,9 +4,9 @@
 #include "render/camera.h"
 #include "render/film.h"
 #include "render/integrator.h"
+#include "render/noise.h"
 
 #include <atomic>
-#include <optional>
 
 namespace render {
 
@@ -28,6 +28,7 @@ struct RenderResult {
     int threads = 0;
     int samplesPerPixel = 0;  // of every pixel; where the time was over within a pass some have more
     std::optional<double> noise;  // the estimated relative error; fewer than 4 samples tell nothing
+    std::optional<NoiseSums> noiseSums;  // what it was estimated from
     StoppedBy stoppedBy = StoppedBy::samplesPerPixel;
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "render/integrator.h"
-#include "render/noise.h"
 #include "render/pixel_layers.h"
 #include "render/render.h"
 
@@ -25,8 +24,6 @@ struct Tile {
     int samples = 0;  // of each pixel
     std::vector<PixelSum> pixels = {};
     std::vector<PixelLayers> layers = {};  // empty unless the film has some
-    std::vector<NoiseStep> steps = {};  // from 1 to 2 samples, from 2 to 4, ...
-    NoiseStep rest = {};  // from the last power of two to all
 
     void store(Film& film) const;
 };
@@ -65,6 +62,7 @@ public:
         : tally(progress), integrator_(integrator), view_(view), hasLayers_(hasLayers) {}
 
     Tally tally;
+    NoiseSteps noise;
 
     // Goes on until each pixel has had `samples`. When stop turns true it ends soon, with as many as it has by then:
     // the same number for each pixel.
@@ -72,7 +70,7 @@ public:
 
 private:
     void add(Tile& tile, const SampleBlock& block);
-    void measureNoise(Tile& tile, bool tells);
+    void measureNoise(const Tile& tile);
 
     const Integrator& integrator_;
     const View& view_;

@@ -49,9 +49,10 @@ render::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, const 
     resolved.samplesPerPixel = result.samplesPerPixel;
     for (const auto& row : render::RenderSettings::options())
         if (row.inPicture) metadata.emplace_back("grsh:" + std::string(row.name), core::optionText(row, resolved));
-    if (job.settings.isOpenEnded()) {
-        metadata.emplace_back("grsh:stopped", stoppedText(result.stoppedBy));
-        if (result.noise) metadata.emplace_back("grsh:noise", noiseText(*result.noise));
+    metadata.emplace_back("grsh:stopped", stoppedText(result.stoppedBy));
+    if (result.noise) {
+        metadata.emplace_back("grsh:noise", render::noiseText(*result.noise));
+        if (job.lines() < job.height) metadata.emplace_back("grsh:noisesums", result.noiseSums->text());
     }
     return metadata;
 }
@@ -83,7 +84,7 @@ void warnOfNoise(Call& call, const RenderJob& job, const render::RenderResult& r
     if (job.settings.noise == 0 || result.stoppedBy != render::StoppedBy::samplesPerPixel) return;
     warn(call, "gr_render: " + job.file + ": noise " + core::numberText(job.settings.noise) + " is not reached with " +
                    std::to_string(result.samplesPerPixel) + " samples per pixel, " +
-                   (result.noise ? "but " + noiseText(*result.noise) : "too few to tell what is"));
+                   (result.noise ? "but " + render::noiseText(*result.noise) : "too few to tell what is"));
 }
 
 render::RenderResult renderFilm(const RenderJob& job, const render::Integrator& integrator, render::Film& film) {

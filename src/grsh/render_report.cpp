@@ -2,6 +2,7 @@
 
 #include "grsh/dict.h"
 #include "grsh/progress.h"
+#include "render/noise.h"
 
 #include <cstdio>
 
@@ -47,12 +48,6 @@ std::string stoppedText(render::StoppedBy stoppedBy) {
     return "samplesperpixel";
 }
 
-std::string noiseText(double noise) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", noise);
-    return text;
-}
-
 Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
     const render::RenderResult& result = report.result;
     const std::size_t acceleratorBytes = report.accelerator.bytes();
@@ -81,7 +76,7 @@ void printSummary(const RenderReport& report, const RenderJob& job) {
     const render::RenderResult& result = report.result;
     std::string line = job.file + ": " + std::to_string(job.width) + " x " + std::to_string(job.lines()) + " pixels, " +
                        std::to_string(result.samplesPerPixel) + " samples each, ";
-    if (result.noise) line += "relative error " + noiseText(*result.noise) + ", ";
+    if (result.noise) line += "relative error " + render::noiseText(*result.noise) + ", ";
     if (job.settings.isOpenEnded()) line += "stopped by " + stoppedText(result.stoppedBy) + ", ";
     line += durationText(report.seconds) + ", " + rateText(result.rays.total(), report.seconds);
     if (result.droppedSamples > 0)

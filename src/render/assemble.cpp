@@ -1,6 +1,7 @@
 #include "render/assemble.h"
 
 #include "core/error.h"
+#include "render/noise.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,6 +10,9 @@ namespace render {
 namespace {
 
 constexpr std::string_view startLine = "grsh:startline", stopLine = "grsh:stopline";
+constexpr std::string_view noise = "grsh:noise", noiseSums = "grsh:noisesums";
+// What a strip says of itself alone.
+constexpr std::string_view ownTexts[] = {startLine, stopLine, noise, noiseSums};
 
 [[noreturn]] void fail(std::string_view reason, const std::string& path, const std::string& why) {
     throw core::Error("STRIP", std::string(reason), path, why);
@@ -59,7 +63,7 @@ void checkSelf(const Strip& strip) {
                  linesText(held.top, held.top + held.height - 1) + " of width " + std::to_string(held.width));
 }
 
-// Whether both come from the same render: all that they say of it, but for the lines.
+// Whether both come from the same render: all that they say of it, but for the lines and their noise.
 void checkSameRender(const Strip& first, const Strip& strip) {
     const auto refuse = [&](const std::string& what, const std::string& here, const std::string& there) {
         fail("RENDER", strip.path,
@@ -67,7 +71,7 @@ void checkSameRender(const Strip& first, const Strip& strip) {
                  "\", not \"" + there + "\"");
     };
     const auto check = [&](const Strip& a, std::string_view key) {
-        if (key == startLine || key == stopLine) return;
+        if (std::ranges::find(ownTexts, key) != std::end(ownTexts)) return;
         const std::string *here = textOf(strip.image, key), *there = textOf(first.image, key);
         const std::string name(key.starts_with("grsh:") ? key.substr(5) : key);
         if (here == nullptr || there == nullptr)
@@ -107,6 +111,28 @@ void checkLines(const std::vector<Strip>& strips) {
     checkGap(height, "the bottom");
 }
 
+NoiseSums noiseSumsOf(const Strip& strip) {
+    const std::string* text = textOf(strip.image, noiseSums);
+    const auto sums = text == nullptr ? std::nullopt : NoiseSums::fromText(*text);
+    if (!sums)
+        fail("NONE", strip.path,
+             quoted(strip.path) + " does not say how noisy it is (text " + std::string(noiseSums) +
+                 "), as a strip of gr_render does");
+    return *sums;
+}
+
+// What the whole says of its noise; nothing where no strip says anything, as of too few samples.
+std::optional<std::string> wholeNoise(const std::vector<Strip>& strips) {
+    const auto says = [](const Strip& strip) { return textOf(strip.image, noise) != nullptr; };
+    if (std::ranges::none_of(strips, says)) return std::nullopt;
+    if (strips.size() == 1) return *textOf(strips[0].image, noise);
+    NoiseSums sums = noiseSumsOf(strips[0]);
+    for (std::size_t i = 1; i < strips.size(); ++i) sums += noiseSumsOf(strips[i]);
+    const int samples = numberIn(strips[0], "grsh:samplesperpixel");
+    const double pixels = double(numberIn(strips[0], "grsh:width")) * numberIn(strips[0], "grsh:height");
+    return noiseText(estimateNoise(sums, samples, pixels).error);
+}
+
 void append(PixelNumbers& to, const PixelNumbers& from) {
     const auto add = [&]<class Number>(std::vector<Number>& numbers) {
         const auto& more = std::get<std::vector<Number>>(from);
@@ -127,6 +153,7 @@ Image assemble(std::vector<Strip> strips) {
     });
     checkLines(strips);
     const int height = numberIn(strips[0], "grsh:height");
+    const std::optional<std::string> noiseOfAll = wholeNoise(strips);
     Image whole = std::move(strips[0].image);
     for (std::size_t i = 1; i < strips.size(); ++i) {
         for (std::size_t c = 0; c < whole.channels.size(); ++c)
@@ -135,9 +162,11 @@ Image assemble(std::vector<Strip> strips) {
     }
     whole.held = whole.whole = {0, 0, whole.held.width, height};
     whole.isPart = false;
+    std::erase_if(whole.metadata, [](const auto& text) { return text.first == noiseSums; });
     for (auto& [key, value] : whole.metadata) {
         if (key == startLine) value = "0";
         if (key == stopLine) value = std::to_string(height - 1);
+        if (key == noise) value = *noiseOfAll;
     }
     return whole;
 }

@@ -3,39 +3,20 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <vector>
+#include <cstdio>
 
 namespace render {
 namespace {
 
-// Of each pixel of a rectangle, the mean of the squares of those round it; its own square where there are no others.
-std::vector<glm::dvec3> squaresAround(std::span<const core::Rgbf> means, int width) {
-    const std::size_t columns = static_cast<std::size_t>(width), rows = means.size() / columns;
-    std::vector<glm::dvec3> around;
-    around.reserve(means.size());
-    // Of each column the squares above and below, and these with the one between; a column of nothing at either end.
-    std::vector<glm::dvec3> two(columns + 2, glm::dvec3(0)), three(columns + 2, glm::dvec3(0));
-    const auto square = [&](std::size_t row, std::size_t column) {
-        const glm::dvec3 mean(means[row * columns + column]);
-        return mean * mean;
-    };
-    for (std::size_t row = 0; row < rows; ++row) {
-        for (std::size_t column = 0; column < columns; ++column) {
-            glm::dvec3 sum(0);
-            if (row > 0) sum += square(row - 1, column);
-            if (row + 1 < rows) sum += square(row + 1, column);
-            two[column + 1] = sum;
-            three[column + 1] = sum + square(row, column);
-        }
-        const int high = 1 + (row > 0) + (row + 1 < rows);
-        for (std::size_t column = 0; column < columns; ++column) {
-            const int others = high * (1 + (column > 0) + (column + 1 < columns)) - 1;
-            around.push_back(others == 0
-                                 ? square(row, column)
-                                 : (three[column] + two[column + 1] + three[column + 2]) / static_cast<double>(others));
-        }
-    }
-    return around;
+// The mean square of the pixels at most four away in the line; a pixel's own where there are no others. Lines above and
+// below have no say: they may be another strip's.
+glm::dvec3 squareAround(std::span<const core::Rgbf> means, std::size_t pixel) {
+    constexpr std::size_t reach = 4;
+    const std::size_t first = pixel - std::min(pixel, reach), last = std::min(pixel + reach, means.size() - 1);
+    glm::dvec3 sum(0);
+    for (std::size_t i = first; i <= last; ++i)
+        if (i != pixel || first == last) sum += glm::dvec3(means[i]) * glm::dvec3(means[i]);
+    return sum / static_cast<double>(std::max<std::size_t>(last - first, 1));
 }
 
 // What a step leaves of the squared error. Independent samples leave half; those that are spread evenly less, down to
@@ -44,11 +25,14 @@ std::vector<glm::dvec3> squaresAround(std::span<const core::Rgbf> means, int wid
 double ratioOf(const NoiseStep& before, const NoiseStep& last) {
     constexpr double least = 0.2, most = 0.5;
     constexpr double expected = most, deviation = 0.3;  // of its logarithm
-    if (before.moved == 0 || last.moved == 0) return expected;
-    const auto relativeVariance = [](const NoiseStep& step) { return step.squares / (step.moved * step.moved); };
+    const double movedBefore = before.moved.value(), movedLast = last.moved.value();
+    if (movedBefore == 0 || movedLast == 0) return expected;
+    const auto relativeVariance = [](const NoiseStep& step) {
+        return step.squares.value() / std::pow(step.moved.value(), 2);
+    };
     const double variance = relativeVariance(before) + relativeVariance(last);
     const double trust = deviation * deviation / (deviation * deviation + variance);
-    return std::clamp(expected * std::pow(last.moved / before.moved / expected, trust), least, most);
+    return std::clamp(expected * std::pow(movedLast / movedBefore / expected, trust), least, most);
 }
 
 // Squared errors relative to that of the power of two at or below a number of samples, `ratio` being left by each
@@ -74,39 +58,100 @@ struct Beyond {
 
 }  // namespace
 
-NoiseStep noiseStep(std::span<const core::Rgbf> before, std::span<const core::Rgbf> after, int width) {
+void NoiseStep::add(std::span<const core::Rgbf> before, std::span<const core::Rgbf> after) {
     constexpr double dark = 0.01;  // squared radiance: where a pixel is darker, its error is not relative to it
-    const std::vector<glm::dvec3> around = squaresAround(after, width);
-    NoiseStep step;
+    double lineMoved = 0, lineSquares = 0;
     for (std::size_t i = 0; i < after.size(); ++i) {
         const glm::dvec3 mean(after[i]);
-        const glm::dvec3 moved = mean - glm::dvec3(before[i]);
-        // A pixel that is bright by one rare sample is no bright pixel: it is measured against those round it.
-        const glm::dvec3 square = glm::min(mean * mean, around[i]);
-        const double part = glm::dot(moved * moved / (square + dark), glm::dvec3(1));
-        step.moved += part;
-        step.squares += part * part;
+        const glm::dvec3 way = mean - glm::dvec3(before[i]);
+        // A pixel that is bright by one rare sample is no bright pixel: it is measured against those beside it.
+        const glm::dvec3 square = glm::min(mean * mean, squareAround(after, i));
+        const double part = glm::dot(way * way / (square + dark), glm::dvec3(1));
+        lineMoved += part;
+        lineSquares += part * part;
     }
-    return step;
+    moved.add(lineMoved);
+    squares.add(lineSquares);
+}
+
+NoiseStep& NoiseSteps::to(int samples) {
+    const unsigned all = static_cast<unsigned>(samples);
+    if (!std::has_single_bit(all)) return rest;
+    const std::size_t doubling = static_cast<std::size_t>(std::bit_width(all)) - 2;
+    doublings.resize(std::max(doublings.size(), doubling + 1));
+    return doublings[doubling];
+}
+
+NoiseSteps& NoiseSteps::operator+=(const NoiseSteps& other) {
+    doublings.resize(std::max(doublings.size(), other.doublings.size()));
+    for (std::size_t i = 0; i < other.doublings.size(); ++i) doublings[i] += other.doublings[i];
+    rest += other.rest;
+    return *this;
+}
+
+NoiseSums::NoiseSums(const NoiseSteps& steps, int samples, bool isWhole) {
+    const std::size_t doubled = static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(samples))) - 1;
+    before = steps.doublings[doubled - 2];
+    last = steps.doublings[doubled - 1];
+    if (isWhole) rest = steps.rest.moved;
+}
+
+NoiseSums& NoiseSums::operator+=(const NoiseSums& other) {
+    before += other.before;
+    last += other.last;
+    if (rest && other.rest)
+        *rest += *other.rest;
+    else
+        rest.reset();
+    return *this;
+}
+
+std::string NoiseSums::text() const {
+    std::string text =
+        before.moved.text() + " " + before.squares.text() + " " + last.moved.text() + " " + last.squares.text();
+    if (rest) text += " " + rest->text();
+    return text;
+}
+
+std::optional<NoiseSums> NoiseSums::fromText(std::string_view text) {
+    std::vector<core::AnyOrderSum> sums;
+    while (true) {
+        const std::size_t space = text.find(' ');
+        const auto sum = core::AnyOrderSum::fromText(text.substr(0, space));
+        if (!sum) return std::nullopt;
+        sums.push_back(*sum);
+        if (space == std::string_view::npos) break;
+        text.remove_prefix(space + 1);
+    }
+    if (sums.size() != 4 && sums.size() != 5) return std::nullopt;
+    NoiseSums read;
+    read.before = {sums[0], sums[1]};
+    read.last = {sums[2], sums[3]};
+    if (sums.size() == 5) read.rest = sums[4];
+    return read;
 }
 
 double NoiseEstimate::samplesFor(double target, int samples) const {
     return samples * std::pow(error / target, -2 / std::log2(ratio));
 }
 
-std::optional<NoiseEstimate> estimateNoise(std::span<const NoiseStep> steps, const std::optional<NoiseStep>& rest,
-                                           int samples, double pixels) {
-    if (samples < 4) return std::nullopt;
-    const unsigned power = std::bit_floor(static_cast<unsigned>(samples));
-    const std::size_t last = static_cast<std::size_t>(std::bit_width(power)) - 2;
-    const double ratio = ratioOf(steps[last - 1], steps[last]);
+NoiseEstimate estimateNoise(const NoiseSums& sums, int samples, double pixels) {
+    const double ratio = ratioOf(sums.before, sums.last);
     const Beyond beyond(samples, ratio);
     // The steps to come would move the means by `ratio` less each time, until nothing is left.
-    double squared = steps[last].moved * ratio / (1 - ratio) * beyond.left;
+    double squared = sums.last.moved.value() * ratio / (1 - ratio) * beyond.left;
     // The nearer the next power of two is, the more the way there tells.
-    if (rest && beyond.moved > 0)
-        squared += (static_cast<double>(samples) / power - 1) * (rest->moved / beyond.moved * beyond.left - squared);
-    return NoiseEstimate{std::sqrt(squared / (3 * pixels)), ratio};
+    if (sums.rest && beyond.moved > 0) {
+        const double way = static_cast<double>(samples) / std::bit_floor(static_cast<unsigned>(samples)) - 1;
+        squared += way * (sums.rest->value() / beyond.moved * beyond.left - squared);
+    }
+    return {std::sqrt(squared / (3 * pixels)), ratio};
+}
+
+std::string noiseText(double error) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", error);
+    return text;
 }
 
 }  // namespace render

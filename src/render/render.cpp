@@ -61,7 +61,7 @@ private:
             tile.pixels = std::vector<PixelSum>();
             tile.layers = std::vector<PixelLayers>();
         });
-        if (!stop_) estimate();
+        if (!stop_) estimate(settings_.mostSamples());
     }
 
     // The whole picture again and again, each time with more samples.
@@ -81,7 +81,7 @@ private:
             // A picture without any sample is none.
             pass(end, first == 0 ? stop_ : alarm.flag(), [](Tile&) {});
             if (stop_) return;
-            estimate();
+            estimate(end);
             secondsPerSample = (secondsSince(start) - passStart) / (end - first);
             expect(samplesExpected(most, secondsSince(start)));
         }
@@ -102,6 +102,7 @@ private:
 
     template<class Finish>
     void pass(int samples, const std::atomic<bool>& stop, const Finish& finish) {
+        noise_.rest = {};
         core::parallelFor(static_cast<int>(tiles_.size()), result_.threads, [&](int i) {
             if (stop.load(std::memory_order_relaxed)) return;
             Tile& tile = tiles_[static_cast<std::size_t>(i)];
@@ -112,25 +113,19 @@ private:
             result_.rays += renderer.tally.rays;
             result_.samples += renderer.tally.samples;
             result_.droppedSamples += renderer.tally.dropped;
+            noise_ += renderer.noise;
         });
     }
 
-    // How many samples each pixel has, and how noisy that is. Tiles are added in their order, for the sum to be the
-    // same to the bit on any number of threads.
-    void estimate() {
-        const auto [least, most] = std::minmax_element(
-            tiles_.begin(), tiles_.end(), [](const Tile& a, const Tile& b) { return a.samples < b.samples; });
+    // How many samples each pixel has, and how noisy that is, after a pass that should have gone to `end`.
+    void estimate(int end) {
+        const auto least = std::min_element(tiles_.begin(), tiles_.end(),
+                                            [](const Tile& a, const Tile& b) { return a.samples < b.samples; });
         result_.samplesPerPixel = least->samples;
-        std::vector<NoiseStep> steps;
-        NoiseStep rest;
-        for (const Tile& tile : tiles_) {
-            steps.resize(std::max(steps.size(), tile.steps.size()));
-            for (std::size_t i = 0; i < tile.steps.size(); ++i) steps[i] += tile.steps[i];
-            rest += tile.rest;
-        }
-        const bool isEven = least->samples == most->samples;
-        estimate_ = estimateNoise(steps, isEven ? std::optional(rest) : std::nullopt, least->samples, pixels());
-        if (estimate_) result_.noise = estimate_->error;
+        if (least->samples < leastSamplesForNoise) return;
+        result_.noiseSums = NoiseSums(noise_, least->samples, least->samples == end);
+        estimate_ = estimateNoise(*result_.noiseSums, least->samples, pixels());
+        result_.noise = estimate_->error;
     }
 
     // As far as can be told: it may be less than is there, and 0 while nothing can.
@@ -157,6 +152,7 @@ private:
     Progress& progress_;
     const std::atomic<bool>& stop_;
     std::vector<Tile> tiles_;
+    NoiseSteps noise_;
     std::optional<NoiseEstimate> estimate_;
     RenderResult result_;
     std::mutex resultMutex_;

@@ -30,10 +30,12 @@ void TileRenderer::render(Tile& tile, int samples, const std::atomic<bool>& stop
         integrator_.render(view_, block, samples_, stop);
         if (stop.load(std::memory_order_relaxed)) return;
         add(tile, block);
+        const bool isPower = std::has_single_bit(static_cast<unsigned>(tile.samples));
         // The last two steps tell how noisy it is; those before them nobody will ask for.
-        const bool tells = tile.samples >= samples / 4;
-        if (tile.samples == samples || std::has_single_bit(static_cast<unsigned>(tile.samples)))
-            measureNoise(tile, tells);
+        const bool tells = tile.samples == samples || (isPower && tile.samples >= samples / 4);
+        if (tells && tile.samples > 1) measureNoise(tile);
+        if (isPower)
+            for (PixelSum& pixel : tile.pixels) pixel.before = pixel.mean();
     }
 }
 
@@ -56,21 +58,18 @@ void TileRenderer::add(Tile& tile, const SampleBlock& block) {
     tally.count(static_cast<std::uint64_t>(block.size()));
 }
 
-void TileRenderer::measureNoise(Tile& tile, bool tells) {
-    tile.rest = {};
-    if (tells) {
+void TileRenderer::measureNoise(const Tile& tile) {
+    NoiseStep& step = noise.to(tile.samples);
+    const std::size_t width = static_cast<std::size_t>(tile.right - tile.left);
+    for (std::size_t line = 0; line < tile.pixels.size(); line += width) {
         before_.clear();
         after_.clear();
-        for (const PixelSum& pixel : tile.pixels) {
-            before_.push_back(pixel.before);
-            after_.push_back(pixel.mean());
+        for (std::size_t i = line; i < line + width; ++i) {
+            before_.push_back(tile.pixels[i].before);
+            after_.push_back(tile.pixels[i].mean());
         }
-        tile.rest = noiseStep(before_, after_, tile.right - tile.left);
+        step.add(before_, after_);
     }
-    if (!std::has_single_bit(static_cast<unsigned>(tile.samples))) return;
-    for (PixelSum& pixel : tile.pixels) pixel.before = pixel.mean();
-    if (tile.samples > 1) tile.steps.push_back(tile.rest);
-    tile.rest = {};
 }
 
 }  // namespace render

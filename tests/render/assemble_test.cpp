@@ -3,6 +3,7 @@
 
 #include "render/grsh_process.h"
 #include "render/image_samples.h"
+#include "render/noise.h"
 #include "render/temporary_folder.h"
 #include "support/error_of.h"
 
@@ -28,6 +29,7 @@ Strip strip(const std::string& path, int first, int last) {
                       {"grsh:height", "10"},
                       {"grsh:startline", std::to_string(first)},
                       {"grsh:stopline", std::to_string(last)},
+                      {"grsh:samplesperpixel", "4"},
                       {"grsh:seed", "5"}};
     return {path, image};
 }
@@ -85,6 +87,34 @@ TEST(Assemble, RefusesStripsOfDifferentRenders) {
               "STRIP RENDER [b] \"b\" has other numbers of bits than \"a\"");
 }
 
+TEST(Assemble, MakesTheNoiseOfTheWholeOfTheSums) {
+    const auto noisy = [](Strip strip, const std::string& sums) {
+        strip.image.metadata.emplace_back("grsh:noise", "0.7");
+        if (!sums.empty()) strip.image.metadata.emplace_back("grsh:noisesums", sums);
+        return strip;
+    };
+    const std::string first = "0:1000 0:2 0:500 0:3", second = "1:4 0:5 1:6,0:1 0:7", none = "0:0 0:0 0:0 0:0";
+    NoiseSums both = NoiseSums::fromText(first).value();
+    both += NoiseSums::fromText(second).value();
+    Strip expected = strip("", 0, 9);
+    expected.image.metadata.emplace_back("grsh:noise", noiseText(estimateNoise(both, 4, 30).error));
+    EXPECT_EQ(assemble({noisy(strip("b", 5, 9), second), noisy(strip("a", 0, 4), first)}).metadata,
+              expected.image.metadata);
+    expected.image.metadata.back().second = "0";
+    EXPECT_EQ(assemble({noisy(strip("a", 0, 4), none), noisy(strip("b", 5, 9), none)}).metadata,
+              expected.image.metadata);
+    expected.image.metadata.back().second = "0.7";
+    EXPECT_EQ(assemble({noisy(strip("a", 0, 9), "")}).metadata, expected.image.metadata);
+
+    const std::string error =
+        "STRIP NONE [b] \"b\" does not say how noisy it is (text grsh:noisesums), as a strip of "
+        "gr_render does";
+    for (const char* broken : {"", "0:1", "nan nan nan nan"})
+        EXPECT_EQ(errorOfStrips({noisy(strip("a", 0, 4), first), noisy(strip("b", 5, 9), broken)}), error) << broken;
+    EXPECT_EQ(errorOfStrips({noisy(strip("a", 0, 4), first), strip("b", 5, 9)}), error);
+    EXPECT_EQ(errorOfStrips({noisy(strip("a", 5, 9), first), strip("b", 0, 4)}), error);
+}
+
 TEST(Assemble, RefusesWhatIsNoStrip) {
     Strip none = strip("a", 0, 9);
     none.image.metadata.clear();
@@ -111,7 +141,7 @@ constexpr const char* cornell4 = R"(
 rename gr_render render
 proc gr_render {node file width height eye view up fov args} {
     foreach {file start stop} $::argv {
-        render $node $file 150 150 $eye $view $up $fov {*}[dict merge $args {samplesperpixel 2 progress off}] \
+        render $node $file 150 150 $eye $view $up $fov {*}[dict merge $args {samplesperpixel 5 progress off}] \
             startline $start stopline $stop {*}$::layers
     }
 }

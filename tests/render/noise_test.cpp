@@ -157,5 +157,38 @@ TEST(NoiseEstimate, IsNotFooledByFireflies) {
     for (const int samples : {48, 64, 100, 256}) expectTrue(Fireflies(), samples, 0.25);
 }
 
+// Whatever lines the strips have, and whatever tiles these fall into, their sums are the whole's.
+TEST(NoiseSums, OfStripsAreThoseOfTheWhole) {
+    for (const int samples : {4, 21, 64}) {
+        RenderSettings settings;
+        settings.samplesPerPixel = samples;
+        const RenderResult whole = Picture(Fireflies(), settings).result;
+        std::optional<NoiseSums> all;
+        for (const auto& [first, lines] : {std::pair(40, 7), std::pair(0, 1), std::pair(1, 16), std::pair(17, 23)}) {
+            const RenderResult strip = Picture(Fireflies(), settings, first, lines).result;
+            EXPECT_NE(strip.noise, whole.noise);
+            const auto read = NoiseSums::fromText(strip.noiseSums.value().text());
+            ASSERT_TRUE(read);
+            if (all)
+                *all += *read;
+            else
+                all = read;
+        }
+        EXPECT_EQ(all->text(), whole.noiseSums.value().text());
+        EXPECT_EQ(estimateNoise(*all, samples, width * height).error, whole.noise);
+    }
+}
+
+TEST(NoiseSums, DoNotKnowTheRestWhereAPartDoesNot) {
+    const auto known = NoiseSums::fromText("0:1 0:2 0:3 0:4 0:5"), unknown = NoiseSums::fromText("0:1 0:1 0:1 1:1");
+    ASSERT_TRUE(known && unknown);
+    for (NoiseSums sums : {*known, *unknown}) {
+        sums += sums.rest ? *unknown : *known;
+        EXPECT_EQ(sums.text(), "0:2 0:3 0:4 0:4,1:1");
+    }
+    for (const char* text : {"", "0:1", "0:1 0:2 0:3", "0:1 0:2 0:3 0:4 0:5 0:6", "0:1 0:2 0:3 x", "0:1 0:2 0:3  0:4"})
+        EXPECT_FALSE(NoiseSums::fromText(text)) << text;
+}
+
 }  // namespace
 }  // namespace render
