@@ -11,7 +11,7 @@ struct RenderReport {
     const render::RenderResult& result;
     const gr::Accelerator& accelerator;
     double buildSeconds, renderSeconds, seconds;  // of the accelerator, of the rays, of everything
-    std::size_t sceneBytes, pictureBytes;
+    std::size_t sceneBytes, acceleratorBytes, pictureBytes;  // the accelerator's with what the integrator adds
 };
 
 // file: the picture's name as the script has it.

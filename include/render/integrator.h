@@ -75,6 +75,8 @@ public:
     // seed, pixel and its number alone. Returns early once stop is true; what is missing is then left as it was.
     virtual void render(const View& view, const SampleBlock& block, Samples& samples,
                         const std::atomic<bool>& stop) const = 0;
+    // Memory that it takes beside the scene and the accelerator.
+    virtual std::size_t bytes() const { return 0; }
 };
 
 // One that follows one path at a time.

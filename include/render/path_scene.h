@@ -34,6 +34,7 @@ struct PathScene {
     bool isInLanes = false;
     FaceList faces;
     std::vector<const gr::Instance*> spheres, boxes;
+    std::size_t bytes() const;
     std::size_t objectCount() const { return faces.size() + spheres.size() + boxes.size(); }
 
     // The surfaces that rays meet first, for the lanes whose bits are set.

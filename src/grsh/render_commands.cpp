@@ -126,8 +126,14 @@ Tcl_Obj* renderCommand(Call& call) {
     warnOfNoise(call, job, result);
     const std::size_t pictureBytes =
         film.bytes() + static_cast<std::size_t>(render::sumBytesFor(job.settings, job.width, job.lines()));
-    const RenderReport report{result,        *accelerator, buildSeconds, renderSeconds, secondsSince(start),
-                              scene.bytes(), pictureBytes};
+    const RenderReport report{result,
+                              *accelerator,
+                              buildSeconds,
+                              renderSeconds,
+                              secondsSince(start),
+                              scene.bytes(),
+                              accelerator->bytes() + integrator->bytes(),
+                              pictureBytes};
     if (job.settings.progress) printSummary(report, job);
     call.session.lastRender = hold(reportDict(report, call.words.object(1)));
     return call.session.lastRender.get();

@@ -50,7 +50,6 @@ std::string stoppedText(render::StoppedBy stoppedBy) {
 
 Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
     const render::RenderResult& result = report.result;
-    const std::size_t acceleratorBytes = report.accelerator.bytes();
     return dictOf({{"file", file},
                    {"seconds", Tcl_NewDoubleObj(report.seconds)},
                    {"samples", countObject(result.samples)},
@@ -63,9 +62,9 @@ Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
                    {"resolution", resolutionList(report.accelerator)},
                    {"build", Tcl_NewDoubleObj(report.buildSeconds)},
                    {"rendering", Tcl_NewDoubleObj(report.renderSeconds)},
-                   {"bytes", countObject(report.sceneBytes + acceleratorBytes + report.pictureBytes)},
+                   {"bytes", countObject(report.sceneBytes + report.acceleratorBytes + report.pictureBytes)},
                    {"memory", dictOf({{"scene", countObject(report.sceneBytes)},
-                                      {"accelerator", countObject(acceleratorBytes)},
+                                      {"accelerator", countObject(report.acceleratorBytes)},
                                       {"picture", countObject(report.pictureBytes)}})},
                    {"threads", Tcl_NewIntObj(result.threads)},
                    {"stopped", textObject(stoppedText(result.stoppedBy))},

@@ -44,6 +44,8 @@ public:
     explicit PathIntegrator(PathSetup&& setup)
         : setup_(std::move(setup)), scene_(setup_.scene), tracer_(setup_.scene) {}
 
+    std::size_t bytes() const override { return scene_.bytes(); }
+
     void render(const View& view, const SampleBlock& block, Samples& samples,
                 const std::atomic<bool>& stop) const override {
         Paths<Real> paths;

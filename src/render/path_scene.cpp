@@ -36,6 +36,11 @@ PathScene::PathScene(const gr::Scene& scene, const gr::Accelerator& accelerator)
     }
 }
 
+std::size_t PathScene::bytes() const {
+    return (faces.parallelograms.capacity() + faces.triangles.capacity()) * sizeof(Face) +
+           (spheres.capacity() + boxes.capacity()) * sizeof(const gr::Instance*);
+}
+
 void PathScene::nearest(const RayColumns& rays, std::uint32_t lanes, SurfaceColumns& surfaces,
                         gr::TraversalCounts& counts) const {
     core::forEachLane(lanes, [&](int lane) {
