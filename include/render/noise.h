@@ -15,8 +15,9 @@ struct NoiseStep {
     core::AnyOrderSum moved;  // squares of how far, relative to the pixel
     core::AnyOrderSum squares;  // of each pixel's part in it: what chance has to do with the sum
 
-    // The means of the first and of all samples of pixels side by side in one line.
-    void add(std::span<const core::Rgbf> before, std::span<const core::Rgbf> after);
+    // The means of the first and of all samples of pixels side by side in one line. allOverNew: how many times as many
+    // samples there are as there are new ones.
+    void add(std::span<const core::Rgbf> before, std::span<const core::Rgbf> after, double allOverNew);
     NoiseStep& operator+=(const NoiseStep& other) {
         moved += other.moved;
         squares += other.squares;

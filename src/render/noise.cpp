@@ -58,14 +58,17 @@ struct Beyond {
 
 }  // namespace
 
-void NoiseStep::add(std::span<const core::Rgbf> before, std::span<const core::Rgbf> after) {
+void NoiseStep::add(std::span<const core::Rgbf> before, std::span<const core::Rgbf> after, double allOverNew) {
     constexpr double dark = 0.01;  // squared radiance: where a pixel is darker, its error is not relative to it
     double lineMoved = 0, lineSquares = 0;
     for (std::size_t i = 0; i < after.size(); ++i) {
         const glm::dvec3 mean(after[i]);
         const glm::dvec3 way = mean - glm::dvec3(before[i]);
-        // A pixel that is bright by one rare sample is no bright pixel: it is measured against those beside it.
-        const glm::dvec3 square = glm::min(mean * mean, squareAround(after, i));
+        // A pixel that is bright by one rare sample is no bright pixel: it is measured against those beside it, or what
+        // its first and its new samples both have found, if that is brighter.
+        const glm::dvec3 first(before[i]), added = first + way * allOverNew;
+        const glm::dvec3 both = glm::max(glm::min(first, added), glm::dvec3(0));
+        const glm::dvec3 square = glm::max(both * both, glm::min(mean * mean, squareAround(after, i)));
         const double part = glm::dot(way * way / (square + dark), glm::dvec3(1));
         lineMoved += part;
         lineSquares += part * part;

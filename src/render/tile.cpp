@@ -60,6 +60,8 @@ void TileRenderer::add(Tile& tile, const SampleBlock& block) {
 
 void TileRenderer::measureNoise(const Tile& tile) {
     NoiseStep& step = noise.to(tile.samples);
+    const int before = static_cast<int>(std::bit_floor(static_cast<unsigned>(tile.samples) - 1));
+    const double allOverNew = static_cast<double>(tile.samples) / (tile.samples - before);
     const std::size_t width = static_cast<std::size_t>(tile.right - tile.left);
     for (std::size_t line = 0; line < tile.pixels.size(); line += width) {
         before_.clear();
@@ -68,7 +70,7 @@ void TileRenderer::measureNoise(const Tile& tile) {
             before_.push_back(tile.pixels[i].before);
             after_.push_back(tile.pixels[i].mean());
         }
-        step.add(before_, after_);
+        step.add(before_, after_, allOverNew);
     }
 }
 
