@@ -98,6 +98,13 @@ proc moments {numbers weights} {
     list $mean [expr {$variance / $sum}]
 }
 
+# The whole numbers from one to another.
+proc range {from to} {
+    set numbers {}
+    for {set i $from} {$i <= $to} {incr i} {lappend numbers $i}
+    return $numbers
+}
+
 # The mean of numbers.
 proc mean {numbers} {expr {[tcl::mathop::+ {*}$numbers] / double([llength $numbers])}}
 
