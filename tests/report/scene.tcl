@@ -114,7 +114,7 @@ proc edgeMoments {places profile} {
     set at {}
     set steps {}
     foreach a [lrange $places 0 end-1] b [lrange $places 1 end] p [lrange $profile 0 end-1] q [lrange $profile 1 end] {
-        lappend at [expr {($a + $b) / 2}]
+        lappend at [expr {($a + $b) / 2.}]
         lappend steps [expr {$q - $p}]
     }
     moments $at $steps
