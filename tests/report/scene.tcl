@@ -21,7 +21,7 @@ proc gr_material {name type args} {
     makeMaterial $name $type {*}[dict merge $args $changes]
 }
 
-# Builds a scene anew, and returns the words and options that it renders with, as a dict, in place of rendering.
+# Builds a scene anew, its variables being global, and returns the words and options that it renders with, as a dict.
 # changes: options of its materials that are to be others, {material {option value ...} ...}.
 proc build {name {changes {}}} {
     set ::materialChanges $changes
@@ -73,7 +73,8 @@ proc pixelSize {asked} {expr {2 * tan([dict get $asked fov] * acos(-1) / 360) / 
 proc pixelOf {asked point} {
     set size [pixelSize $asked]
     lassign [lmap axis [cameraAxes $asked] {dot $axis [minus $point [dict get $asked eye]]}] x y z
-    list [expr {[dict get $asked width] / 2. + $x / $z / $size}] [expr {[dict get $asked height] / 2. - $y / $z / $size}]
+    list [expr {[dict get $asked width] / 2. + $x / $z / $size}] \
+        [expr {[dict get $asked height] / 2. - $y / $z / $size}]
 }
 
 # The direction in which the place {x y} of the picture is seen, of length 1.
