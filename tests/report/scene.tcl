@@ -8,6 +8,8 @@ source [file join $scenes models lib vectors.tcl]
 namespace path clay
 cd [temporaryDirectory]
 
+# In place of the commands of these names, which go on under others: a scene's options are kept, not carried out, but
+# for `accelerator`, which changes no picture.
 rename gr_render renderNow
 rename gr_material makeMaterial
 proc gr_render {node file width height eye view up fov args} {
