@@ -124,6 +124,7 @@ proc edgeMoments {places profile} {
 }
 
 # What of {name value least most ...} is not between its bounds: an empty list where all is well.
+# With GRSH_TEST_FIGURES in the environment all are printed.
 proc outside {rows} {
     set wrong {}
     foreach {name value least most} $rows {
