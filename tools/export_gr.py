@@ -23,14 +23,6 @@ def arguments() -> list[str]:
     return sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
 
 
-def check_loaded() -> None:
-    """Where Blender cannot read a file it goes on, with another scene."""
-    words = sys.argv[: sys.argv.index("--")] if "--" in sys.argv else sys.argv
-    for word in words:
-        if word.endswith(".blend") and os.path.abspath(word) != os.path.abspath(bpy.data.filepath):
-            raise ExportError(f'"{word}" is not what Blender has loaded')
-
-
 def output_path() -> str:
     words = arguments()
     if len(words) != 1 or not words[0].endswith(".gr"):
@@ -46,7 +38,6 @@ def output_path() -> str:
 def main() -> None:
     try:
         path = output_path()
-        check_loaded()
         export(path, Warnings())
     except (ExportError, OSError) as error:
         sys.exit(f"export_gr: {error}")

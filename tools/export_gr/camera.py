@@ -31,7 +31,7 @@ def focal_distance(camera, eye: Vector, view: Vector) -> float:
 
 
 class Camera:
-    """The words of gr_render: size, eye, view, up and fov; and options."""
+    """The words of gr_render: its size; its sight, which is eye, view, up and fov; and options."""
 
     def __init__(self, item, render, warnings: Warnings) -> None:
         camera, self.thing = item.data, f'camera "{item.name}"'
@@ -50,8 +50,10 @@ class Camera:
             # Shifts are parts of the side that the sensor covers.
             side = 2 * half * (self.width / self.height if is_wide(camera, self.width, self.height) else 1)
             view = view + side * (camera.shift_x * right + camera.shift_y * up)
+        self.inverse, self.half = item.matrix_world.inverted(), half
         turned = [numbers(Y_UP.to_3x3() @ vector) for vector in (eye, view, up)]
-        self.words = f"{self.width} {self.height} {' '.join(turned)} {number(math.degrees(2 * math.atan(half)))}"
+        self.size = f"{self.width} {self.height}"
+        self.sight = f"{' '.join(turned)} {number(math.degrees(2 * math.atan(half)))}"
 
     def lens_options(self, camera, eye: Vector, view: Vector, warnings: Warnings) -> list[str]:
         dof = camera.dof
@@ -62,3 +64,8 @@ class Camera:
         # The focal length is in millimetres, whatever the scene's unit.
         radius = camera.lens / 1000 / (2 * dof.aperture_fstop)
         return [f"depthoffield on focaldistance {number(focal_distance(camera, eye, view))} aperture {number(radius)}"]
+
+    def sees(self, place: Vector) -> bool:
+        """Whether the place is in the picture, or just outside."""
+        x, y, z = self.inverse @ place
+        return z < 0 and abs(y) < -1.2 * self.half * z and abs(x) < -1.2 * self.half * z * self.width / self.height

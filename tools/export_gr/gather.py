@@ -9,7 +9,8 @@ from .errors import ExportError, Warnings
 from .lights import Lamp, PointLight, area_lamp, point_light, sun
 from .meshes import Part, parts_of
 
-WITH_FACES = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
+# Curves and texts are shown to renderers once as what they are, and once more as meshes.
+WITH_FACES = {"MESH", "META"}
 WITHOUT_MATCH = {"VOLUME", "POINTCLOUD", "CURVES", "GPENCIL", "GREASEPENCIL"}
 
 
@@ -37,9 +38,7 @@ class Gathered:
 
 def data_key(item) -> object:
     """Alike for objects that have the same faces."""
-    if item.type != "MESH":
-        return item.name_full
-    if item.modifiers:
+    if item.modifiers or item.original.type != "MESH":
         # Modifiers may make several meshes of one object.
         return item.name_full, item.data.as_pointer()
     return item.data.name_full, item.data.library
@@ -99,7 +98,7 @@ class Gatherer:
             lamp = area_lamp(light, matrix, thing, self.warnings)
             if lamp.radiance:
                 self.found.lamps.append((item.name, lamp))
-                if not item.visible_camera:
+                if not item.visible_camera and self.found.camera.sees(matrix.translation):
                     self.warnings.warn(thing, "grsh's camera sees it, Blender's does not")
         elif light.type == "SUN":
             self.suns.append((item.name, light.original, matrix, thing))

@@ -114,6 +114,6 @@ class Script:
         camera = self.found.camera
         shining = [f"{{0 0 0}} {{{' '.join(light_names)}}}"] if light_names else []
         lines += ["", "# What the camera sees. More samples make less noise: see gr_help gr_render.",
-                  " \\\n    ".join([f"gr_render :scene {word(self.stem + '.png')} {camera.words}", *shining,
-                                   *camera.options, *options]), ""]
+                  " \\\n    ".join([f"gr_render :scene {word(self.stem + '.png')} {camera.size}", camera.sight,
+                                   *shining, *camera.options, *options]), ""]
         return "\n".join(lines)

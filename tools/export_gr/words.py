@@ -9,7 +9,10 @@ def number(value: float) -> str:
 
 
 def numbers(values: Iterable[float]) -> str:
-    return "{" + " ".join(number(value) for value in values) + "}"
+    """A list. What is nothing beside the largest of them is the rounding of 0."""
+    values = list(values)
+    least = 1e-7 * max(abs(value) for value in values)
+    return "{" + " ".join(number(value if abs(value) > least else 0) for value in values) + "}"
 
 
 def word(text: str) -> str:
