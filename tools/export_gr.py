@@ -15,6 +15,10 @@ import bpy
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+try:
+    import numpy  # noqa: F401, only to see whether it is there
+except ImportError:
+    sys.exit("export_gr: the Python of this Blender has no numpy; on Debian it is in the package python3-numpy")
 from export_gr.errors import ExportError, Warnings
 from export_gr.export import export
 

@@ -46,7 +46,7 @@ class Camera:
         if render.pixel_aspect_x != render.pixel_aspect_y:
             warnings.warn(self.thing, "pixels are square here")
         if camera.shift_x or camera.shift_y:
-            warnings.warn(self.thing, "gr_render has no lens shift: the camera is turned to the picture's middle instead")
+            warnings.warn(self.thing, "gr_render has no lens shift: it is turned to the picture's middle instead")
             # Shifts are parts of the side that the sensor covers.
             side = 2 * half * (self.width / self.height if is_wide(camera, self.width, self.height) else 1)
             view = view + side * (camera.shift_x * right + camera.shift_y * up)

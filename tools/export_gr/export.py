@@ -27,7 +27,8 @@ def background(world, warnings: Warnings) -> list[str]:
         for name in ("Color", "Strength"):
             behind = linked(node.inputs[name])
             if behind is not None:
-                warnings.warn(thing, f'{name} comes from "{behind.name}": {numbers(colour)} * {number(strength)} is taken')
+                warnings.warn(thing, f'{name} comes from "{behind.name}": '
+                              f"{numbers(strength * x for x in colour)} is taken for both")
     if max(colour) * strength <= 0:
         return []
     return [f"background {numbers(strength * x for x in colour)}"]
@@ -40,7 +41,8 @@ def path_length(scene) -> int:
 
 def options(scene, warnings: Warnings) -> list[str]:
     view = scene.view_settings
-    if view.view_transform not in ("Standard", "Raw") or view.look != "None" or view.gamma != 1 or view.use_curve_mapping:
+    is_plain = view.look == "None" and view.gamma == 1 and not view.use_curve_mapping
+    if view.view_transform not in ("Standard", "Raw") or not is_plain:
         warnings.warn(f'scene "{scene.name}"', f'the view transform "{view.view_transform}" is left out: a .png is '
                       "sRGB here, as Blender's Standard")
     if scene.render.use_border:
@@ -52,12 +54,12 @@ def options(scene, warnings: Warnings) -> list[str]:
 
 def title() -> str:
     source = os.path.basename(bpy.data.filepath) or "A scene"
-    return (f"# {source}, from Blender {bpy.app.version_string} by tools/export_gr.py. y is up here: Blender's (x, y, z) "
-            f"is (x, z, -y).\n")
+    return (f"# {source}, from Blender {bpy.app.version_string} by tools/export_gr.py. y is up here: Blender's "
+            "(x, y, z) is (x, z, -y).\n")
 
 
 def write(folder: str, files: dict[str, bytes]) -> None:
-    """All of the files, or none."""
+    """No file before all are complete."""
     unfinished = {os.path.join(folder, f".{name}.{os.getpid()}"): os.path.join(folder, name) for name in files}
     try:
         for path, data in zip(unfinished, files.values()):

@@ -41,8 +41,8 @@ def strength(light, thing: str, warnings: Warnings) -> Vector:
 
 
 def area_lamp(light, matrix: Matrix, thing: str, warnings: Warnings) -> Lamp:
-    """Cycles: radiance = watts / (4 area). The lamp shines along its own -z, and gr_als_planar along -y, which y_up makes
-    of it."""
+    """Cycles: radiance = watts / (4 area). The lamp shines along its own -z, gr_als_planar along -y, and y_up makes the
+    one of the other."""
     axes = matrix.to_3x3()
     is_round = light.shape in ("DISK", "ELLIPSE")
     if is_round:

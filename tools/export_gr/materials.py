@@ -158,7 +158,7 @@ class Shader:
         if roughness > 0:
             self.warn(f"glass of roughness {number(roughness)} becomes smooth")
         if min(tint) < 1:
-            self.warn(f"the tint {numbers(tint)} of its surface becomes absorption inside, by the size of the first object")
+            self.warn(f"the tint {numbers(tint)} of its surface becomes absorption inside, by its first object's size")
         return Look(glass=1.0, n=n, tint=tint)
 
     def diffuse(self, node) -> Look:
@@ -195,9 +195,11 @@ class Shader:
         behind = linked(socket)
         if behind is not None and behind.type == "FRESNEL":
             return reflectance(behind.inputs["IOR"].default_value)
-        if behind is not None and behind.type not in ("VALUE",):
+        if behind is not None and behind.type == "VALUE":
+            return behind.outputs[0].default_value
+        if behind is not None:
             self.warn(f'a mix by "{behind.name}": {number(socket.default_value)} is taken')
-        return behind.outputs[0].default_value if behind is not None and behind.type == "VALUE" else socket.default_value
+        return socket.default_value
 
     def add(self, node) -> Look:
         half = self.look(node.inputs[0]).mixed(self.look(node.inputs[1]), 0.5)

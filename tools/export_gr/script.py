@@ -9,8 +9,8 @@ from .transforms import place, y_up
 from .words import Names, word
 
 PUT = """\
-# Gives a node its material, {} for none, and its place: it is turned by the last of the words first, then scaled, turned
-# and moved. Turns are degrees about x, y and z, that about z first.
+# Gives a node its material, {} for none, and its place: it is turned by the last of the words first, then scaled,
+# turned and moved. Turns are degrees about x, y and z, that about z first.
 proc put {node material {at {0 0 0}} {turn {0 0 0}} {size {1 1 1}} {before {0 0 0}}} {
     if {$material ne ""} {gr_surfaceproperty $node $material}
     gr_translate $node $at
@@ -108,7 +108,8 @@ class Script:
         if self.found.lamps or self.found.lights:
             lines.append("# Lamps")
         for name, lamp in self.found.lamps:
-            lines.append(f"put [gr_als_planar :scene {self.nodes.new(name)} {lamp.radiance} {{0 0 0}} 1] {{}} {lamp.place}")
+            node = f"gr_als_planar :scene {self.nodes.new(name)} {lamp.radiance} {{0 0 0}} 1"
+            lines.append(f"put [{node}] {{}} {lamp.place}")
         for name, (_, light) in zip(light_names, self.found.lights):
             lines.append(f"gr_light {name} {light.words}")
         camera = self.found.camera
