@@ -9,8 +9,8 @@ from .errors import ExportError, Warnings
 from .lights import Lamp, PointLight, area_lamp, point_light, sun
 from .meshes import Part, parts_of
 
-# Curves and texts are shown to renderers once as what they are, and once more as meshes.
-WITH_FACES = {"MESH", "META"}
+# Curves and texts are shown to renderers once as what they are, and once more as meshes; metaballs, too, since 3.4.
+WITH_FACES = {"MESH"} if bpy.app.version >= (3, 4) else {"MESH", "META"}
 WITHOUT_MATCH = {"VOLUME", "POINTCLOUD", "CURVES", "GPENCIL", "GREASEPENCIL"}
 
 
