@@ -1,4 +1,14 @@
-# OBJ files. readObj returns a dict:
+# OBJ files.
+
+# What else OBJ files have: lines, points, curves, and what only other renderers know of.
+namespace eval obj2gr {
+    variable statements {
+        l p vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con mg bevel c_interp d_interp lod
+        shadow_obj trace_obj ctech stech maplib usemap call csh
+    }
+}
+
+# Returns a dict:
 #     vertices, normals   lists of {x y z}
 #     parts               a dict of faces by {name material}; a face is a list of corners {vertex normal}, counted
 #                         from 0, the normal being -1 where there is none
@@ -32,6 +42,10 @@ proc obj2gr::readObj {file} {
             mtllib {set materials [dict merge $materials [libraries $words $file $place]]}
             s {}
             default {
+                if {$key ni $::obj2gr::statements} {
+                    regsub -all {[^ -~]} [string range $key 0 20] ? shown
+                    fail "$place: \"$shown\" is nothing that an OBJ file has"
+                }
                 if {$key ni $left} {warn "$place: \"$key\" and others of its kind are left out"}
                 lappend left $key
             }
