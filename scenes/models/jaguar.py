@@ -16,12 +16,16 @@ import numpy as np
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "lib"))
 import nets
-from clay import Clay, turn
+from clay import Clay, spline, turn
 
-EYE = (0.072, 0.040, 0.106, 0.033)
+EYE = (0.069, 0.034, 0.108, 0.037)
 HEAD = (0, 0.71, 0.645)      # the middle of the skull
 SIZE = 1.36                  # of the head, as against the numbers below
-TURN = (0, 28, -4)           # its nod, turn and tilt
+TURN = (1, 38, -5)           # its nod, turn and tilt
+TAIL = [(0, 0.26, -0.62, 0.10), (0.02, 0.10, -0.80, 0.07), (0.16, 0.06, -0.95, 0.06), (0.40, 0.055, -0.90, 0.055),
+        (0.57, 0.055, -0.66, 0.052), (0.64, 0.055, -0.36, 0.05), (0.63, 0.065, -0.10, 0.05), (0.55, 0.10, 0.08, 0.048),
+        (0.46, 0.17, 0.13, 0.042)]
+SPOT = 0.05                  # the radius of a spot's ball
 
 
 def at_head(p):
@@ -48,8 +52,7 @@ def body(clay):
         clay.limb([(0.285, 0.06, -0.55, 0.06), (0.31, 0.055, -0.12, 0.055)], 0.03)
         paw(clay, 0.315, -0.04, 1.05)
     # Tail
-    clay.limb([(0, 0.26, -0.62, 0.10), (0.02, 0.10, -0.80, 0.07), (0.16, 0.06, -0.95, 0.06), (0.40, 0.055, -0.90, 0.055),
-               (0.57, 0.055, -0.66, 0.052), (0.64, 0.055, -0.36, 0.05), (0.63, 0.065, -0.10, 0.05), (0.55, 0.10, 0.08, 0.048), (0.46, 0.17, 0.13, 0.042)], 0.05)
+    clay.limb(TAIL, 0.05)
 
 
 def paw(clay, x, z, size):
@@ -69,36 +72,36 @@ def head(clay):
         limb([(EYE[0] + x, EYE[1] + y, EYE[2] + z, r) for x, y, z, r in balls], smooth)
 
     with clay.turned(HEAD, *TURN):
-        egg((0, 0.03, -0.03), (0.138, 0.118, 0.155), 0.08)
+        egg((0, 0.03, -0.03), (0.142, 0.116, 0.155), 0.08)
         # Muzzle, bridge and tip of the nose, chin
-        egg((0, -0.045, 0.15), (0.083, 0.070, 0.12), 0.05)
-        limb([(0, 0.072, 0.06, 0.062), (0, 0.036, 0.16, 0.045), (0, 0.004, 0.235, 0.039)], 0.03)
-        egg((0, -0.014, 0.270), (0.043, 0.026, 0.022), 0.012)
-        egg((0, -0.112, 0.190), (0.052, 0.038, 0.056), 0.03)
+        egg((0, -0.048, 0.14), (0.083, 0.066, 0.115), 0.05)
+        limb([(0, 0.070, 0.055, 0.060), (0, 0.028, 0.155, 0.045), (0, -0.008, 0.222, 0.038)], 0.03)
+        egg((0, -0.028, 0.256), (0.043, 0.026, 0.021), 0.012)
+        egg((0, -0.110, 0.176), (0.047, 0.034, 0.052), 0.03)
         with clay.both():
             # Cheek, jaw, lip
-            egg((0.092, -0.025, 0.020), (0.062, 0.078, 0.095), 0.05)
-            limb([(0.072, -0.085, 0.0, 0.06), (0.035, -0.106, 0.17, 0.044)], 0.04)
-            egg((0.042, -0.058, 0.222), (0.047, 0.042, 0.055), 0.02)
+            egg((0.094, -0.022, 0.015), (0.066, 0.082, 0.095), 0.05)
+            limb([(0.074, -0.080, 0.0, 0.06), (0.033, -0.102, 0.16, 0.044)], 0.04)
+            egg((0.043, -0.066, 0.208), (0.047, 0.039, 0.052), 0.02)
             # Brow
-            limb([(0.030, 0.084, 0.116, 0.020), (0.070, 0.096, 0.098, 0.022), (0.112, 0.080, 0.056, 0.014)], 0.035)
+            limb([(0.034, 0.070, 0.118, 0.016), (0.072, 0.084, 0.098, 0.018), (0.102, 0.076, 0.070, 0.012)], 0.05)
         with clay.pressed(), clay.both():
-            egg((0.070, 0.036, 0.138), (0.042, 0.028, 0.024), 0.025, (0, 26, 12))
+            egg((0.060, 0.026, 0.142), (0.030, 0.020, 0.012), 0.025, (0, 26, 20))
         with clay.both():
             # Eye, lids
-            egg(EYE[:3], (EYE[3],) * 3, 0.004)
-            lid([(-0.034, -0.016, 0.024, 0.007), (-0.018, 0.016, 0.028, 0.010), (0.010, 0.026, 0.024, 0.011), (0.034, 0.012, 0.006, 0.008), (0.042, 0.004, -0.006, 0.006)], 0.010)
-            lid([(-0.036, -0.020, 0.024, 0.006), (-0.016, -0.016, 0.030, 0.007), (0.010, -0.018, 0.026, 0.008), (0.030, -0.006, 0.012, 0.008), (0.042, 0.004, -0.006, 0.006)], 0.010)
+            egg(EYE[:3], (EYE[3],) * 3, 0.003)
+            lid([(-0.038, -0.026, 0.022, 0.006), (-0.024, 0.014, 0.032, 0.008), (0.004, 0.032, 0.026, 0.010), (0.034, 0.027, 0.008, 0.009), (0.050, 0.017, -0.012, 0.006)], 0.010)
+            lid([(-0.039, -0.029, 0.022, 0.006), (-0.014, -0.030, 0.027, 0.007), (0.014, -0.025, 0.027, 0.007), (0.038, -0.006, 0.012, 0.007), (0.050, 0.014, -0.012, 0.006)], 0.010)
             # Ear
-            egg((0.108, 0.128, -0.06), (0.056, 0.064, 0.034), 0.025, (-10, 32, -32))
+            egg((0.114, 0.122, -0.06), (0.056, 0.062, 0.034), 0.025, (-10, 32, -36))
         with clay.pressed(), clay.both():
-            egg((0.119, 0.138, -0.028), (0.039, 0.047, 0.028), 0.012, (-10, 32, -32))
+            egg((0.125, 0.131, -0.028), (0.039, 0.045, 0.028), 0.012, (-10, 32, -36))
         with clay.pressed():
             # Philtrum, mouth, nostrils
-            limb([(0, -0.036, 0.290, 0.005), (0, -0.080, 0.276, 0.007)], 0.007)
+            limb([(0, -0.050, 0.276, 0.005), (0, -0.088, 0.262, 0.007)], 0.007)
             with clay.both():
-                limb([(0, -0.084, 0.272, 0.009), (0.034, -0.102, 0.254, 0.010), (0.072, -0.096, 0.200, 0.011), (0.096, -0.080, 0.12, 0.006)], 0.012)
-                egg((0.026, -0.020, 0.287), (0.013, 0.009, 0.012), 0.006)
+                limb([(0, -0.090, 0.258, 0.008), (0.034, -0.106, 0.238, 0.009), (0.070, -0.099, 0.185, 0.010), (0.094, -0.080, 0.11, 0.006)], 0.010)
+                egg((0.026, -0.034, 0.273), (0.013, 0.009, 0.012), 0.006)
 
 
 def model(cell):
@@ -109,13 +112,57 @@ def model(cell):
     vertices, faces = nets.closed(clay.field)
     for _ in range(3):
         vertices = nets.relax(clay.field, vertices, faces)
-    return clay.lower + cell * vertices, faces
+    return clay.lower + cell * vertices, faces, nets.normals(clay.field, vertices)
 
 
 def eyes():
-    """Places of the eyeballs, a little larger than those of clay, and their radius."""
-    places = [np.array(HEAD) + turn(*TURN) @ (SIZE * np.multiply(EYE[:3], (side, 1, 1))) for side in (1, -1)]
-    return places, 1.05 * SIZE * EYE[3]
+    """A ball for each eye, a little larger than that of clay, and one for its pupil, which looks out of it."""
+    for name, ahead, radius in ("eye", 0, 1.05 * EYE[3]), ("pupil", 0.0215, 0.0205):
+        for side in (1, -1):
+            x, y, z = np.add(EYE[:3], np.multiply((0.1, 0, 1), ahead))
+            yield name, *np.round(HEAD + turn(*TURN) @ np.multiply((side * x, y, z), SIZE), 4), round(SIZE * radius, 4)
+
+
+def scattered(points, spacing, chance):
+    """Numbers of some of the points, no two of them nearer to each other than that, and others not much farther."""
+    order = chance.permutation(len(points))
+    free, chosen = np.ones(len(points), bool), []
+    for i in order:
+        if free[i]:
+            chosen.append(i)
+            free &= np.linalg.norm(points - points[i], axis=1) > spacing
+    return np.array(chosen)
+
+
+def spots(vertices, normals):
+    """The coat: rosettes of five spots on the trunk, single ones elsewhere. A spot is a ball that just looks out."""
+    chance = np.random.default_rng(2001)
+    x, y, z = vertices.T
+    around_head = np.linalg.norm(vertices - HEAD - turn(*TURN) @ (0, 0.08, 0.08), axis=1)
+    u, v, w = ((vertices - HEAD) @ turn(*TURN) / SIZE).T
+    brow = (np.abs(u) < 0.065) & (v > 0.09) & (w > -0.02) & (w < 0.10)
+    cheek = (np.abs(u) > 0.10) & (v < 0.02) & (v > -0.1) & (w > -0.06) & (w < 0.07)
+    tail = (z < -0.66) | (x > 0.43)
+    free = (around_head > 0.33) & ~tail & (y > 0.12) & (y < 0.86) & (z < 0.74) & (normals[:, 1] > -0.5)
+    trunk = free & (y > 0.17) & (z < 0.42)
+    places = []
+    for i in np.flatnonzero(trunk)[scattered(vertices[trunk], 0.135, chance)]:
+        across = np.cross(normals[i], (0.3, 0.2, 1))
+        along = np.cross(normals[i], across)
+        start = chance.uniform(0, 6.28)
+        for k in range(5):
+            angle = start + 1.257 * k + chance.uniform(-0.2, 0.2)
+            at = vertices[i] + chance.uniform(0.034, 0.042) * (np.cos(angle) * across + 1.25 * np.sin(angle) * along)
+            places.append((np.linalg.norm(vertices - at, axis=1).argmin(), chance.uniform(0.0022, 0.0042)))
+    for i in np.flatnonzero(free & ~trunk)[scattered(vertices[free & ~trunk], 0.066, chance)]:
+        places.append((i, chance.uniform(0.0016, 0.0034)))
+    for i in np.flatnonzero(brow | cheek)[scattered(vertices[brow | cheek], 0.048, chance)]:
+        places.append((i, chance.uniform(0.0006, 0.0012)))
+    balls = [(*(vertices[i] - (SPOT - out) * normals[i]), SPOT) for i, out in places]
+    # The nose, and rings of the tail
+    for x, y, z, r in (-0.017, -0.023, 0.2425, 0.027), (0.017, -0.023, 0.2425, 0.027), (0, -0.034, 0.2455, 0.027):
+        balls.append((*(HEAD + turn(*TURN) @ np.multiply((x, y, z), SIZE)), SIZE * r))
+    return balls + [(*p, r + 0.004) for *p, r in spline(TAIL, 10)[14::5]]
 
 
 def in_blender(vertices, faces, triangles):
@@ -142,15 +189,19 @@ def look_at_it():
     camera.location, camera.rotation_euler = (4.5, -5.5, 1.5), (1.45, 0, 0.68)
     bpy.context.collection.objects.link(camera)
     bpy.context.scene.camera = camera
+    bpy.context.scene.view_settings.view_transform = "Standard"
 
 
 def main():
     words = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     if len(words) != 1 or not words[0].endswith(".blend"):
         sys.exit("usage: blender -b -P scenes/models/jaguar.py -- jaguar.blend")
-    mesh = in_blender(*model(cell=0.007), triangles=84000)
+    vertices, faces, normals = model(cell=0.007)
+    mesh = in_blender(vertices, faces, triangles=84000)
     look_at_it()
-    print(len(mesh.polygons), "triangles; eyes", *eyes())
+    print(len(mesh.polygons), "triangles", *eyes(), sep="\n")
+    with open(words[0].removesuffix(".blend") + "-spots.txt", "w") as file:
+        file.writelines("{:.4f} {:.4f} {:.4f} {:.4f}\n".format(*spot) for spot in spots(vertices, normals))
     bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(words[0]))
 
 

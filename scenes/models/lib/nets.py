@@ -55,6 +55,15 @@ def sample(field, p):
     return value
 
 
+def slopes(field, p):
+    return np.stack([sample(field, p + e) - sample(field, p - e) for e in np.eye(3) * 0.5], 1)
+
+
+def normals(field, vertices):
+    slope = slopes(field, vertices)
+    return slope / np.linalg.norm(slope, axis=1)[:, None]
+
+
 def relax(field, vertices, faces):
     """Moves each vertex to the middle of its neighbours, and from there back to the surface."""
     total, count = np.zeros_like(vertices), np.zeros(len(vertices))
@@ -63,7 +72,7 @@ def relax(field, vertices, faces):
         np.add.at(count, faces[:, k], 2)
     p = total / count[:, None]
     for _ in range(2):
-        slope = np.stack([(sample(field, p + e) - sample(field, p - e)) for e in np.eye(3) * 0.5], 1)
+        slope = slopes(field, p)
         p = p - (sample(field, p) / np.maximum((slope**2).sum(1), 1e-3))[:, None] * slope
     return p
 
