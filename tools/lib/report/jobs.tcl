@@ -1,0 +1,109 @@
+# Rendering what is not done yet, a picture at a time, each by a grsh of its own: a scene that fails, or ends its
+# program, stops no other.
+namespace eval ::report {
+    # Where another catalogue of pictures is, if not the report's own is rendered.
+    variable catalogue {}
+
+    # Returns the exit code of it all.
+    proc run {quality folder names} {
+        set pictures [file join $folder $quality]
+        if {[catch {checkFolder $pictures} message]} {
+            say "cannot write in $pictures: $message"
+            return 1
+        }
+        set jobs [lmap name $names {expr {[isDone $pictures $name $quality] ? [continue] : $name}}]
+        # What is filtered goes with its picture.
+        foreach name $names {
+            if {$name ni $jobs && [dict exists $::report::pictures $name from] &&
+                [dict get $::report::pictures $name from] in $jobs} {lappend jobs $name}
+        }
+        set failures [renderAll $jobs $quality $pictures]
+        set page [file join $folder index.html]
+        if {[catch {writePage $page $quality $pictures $failures} written]} {
+            say "cannot write $page: $written"
+            return 1
+        }
+        summary $page $written $jobs $failures
+        return [expr {[dict size $failures] > 0}]
+    }
+
+    # A file can be made there.
+    proc checkFolder {folder} {
+        file mkdir $folder
+        set probe [file join $folder probe.[pid]]
+        close [open $probe w]
+        file delete $probe
+        # What a call that was killed has left half written.
+        file delete -force {*}[glob -nocomplain -directory $folder figure5.1.*\[0-9\] *.record.* .grsh-*]
+    }
+
+    # Returns a dict of what failed and why.
+    proc renderAll {jobs quality folder} {
+        set failures {}
+        startProgress $jobs $quality
+        foreach name $jobs {
+            startPicture $name
+            lassign [renderOne $name $quality $folder] code output
+            endPicture
+            if {$code != 0 && $output eq {}} {set output "ended with $code"}
+            if {$code == 0} {
+                say "$name: [durationText [dict get [readRecord $folder $name] seconds]][leftText]"
+            } else {
+                dict set failures $name $output
+                say "$name failed: $output"
+            }
+        }
+        return $failures
+    }
+
+    # Returns its exit code, 0 for success, and what it printed. The child ends when we do.
+    proc renderOne {name quality folder} {
+        variable here
+        variable catalogue
+        variable finished {}
+        set channel [open |[list setpriv --pdeathsig KILL [info nameofexecutable] [file join $here render.tcl] $name \
+            $quality $folder {*}$catalogue </dev/null 2>@1]]
+        fconfigure $channel -blocking 0 -encoding utf-8
+        set ::report::output {}
+        fileevent $channel readable [list ::report::readOutput $channel]
+        variable timer [after 500 ::report::tick]
+        vwait ::report::finished
+        after cancel $timer
+        return $finished
+    }
+
+    proc tick {} {
+        draw
+        set ::report::timer [after 500 ::report::tick]
+    }
+
+    proc readOutput {channel} {
+        append ::report::output [read $channel]
+        if {![eof $channel]} return
+        fconfigure $channel -blocking 1
+        set code 0
+        try {
+            close $channel
+        } trap CHILDSTATUS {- options} {
+            set code [lindex [dict get $options -errorcode] 2]
+        } trap CHILDKILLED {- options} {
+            set code [lindex [dict get $options -errorcode] 2]
+        } on error {message} {
+            set code $message
+        }
+        set ::report::finished [list $code [reason $::report::output]]
+    }
+
+    # What a picture's program printed, without what a reader cannot use: where the root is, and where in render.tcl.
+    proc reason {output} {
+        variable root
+        regsub {^tools/lib/report/render\.tcl:\d+: } [string map [list $root/ {}] [string trim $output]] {}
+    }
+
+    proc summary {page written jobs failures} {
+        set made [expr {[llength $jobs] - [dict size $failures]}]
+        set what [expr {$jobs eq {} ? "nothing to render, all pictures are done" : "rendered $made of [llength $jobs]"}]
+        say "$what; [expr {$written ? "wrote" : "as it was:"}] $page"
+        dict for {name reason} $failures {say "failed: $name: $reason"}
+    }
+}
