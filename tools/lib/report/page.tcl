@@ -126,7 +126,7 @@ namespace eval ::report {
             foreach file [dict keys $sources scenes/lib/*] {dict set shown lib $file 1}
         }
         set title [expr {$isNamed ? "<b>[escape $name]</b> " : ""}]
-        return "<p class=\"facts\">$title[escape [join $facts { · }]]</p>\n[codeText {*}[sourceOf $name]]"
+        return "<p class=\"facts\">$title[escape [join [lmap fact $facts {string map [list { } \u00a0] $fact}] { · }]]</p>\n[codeText {*}[sourceOf $name]]"
     }
 
     # Two digits, at least.
@@ -169,7 +169,7 @@ namespace eval ::report {
             lassign $objective title words where
             incr number
             append html "<li id=\"objective-$number\">\n<h3>[escape $title]</h3>\n<blockquote>[marked $words]</blockquote>\n"
-            append html "<p>[marked $where] <code>tools/test -R objective_${number}_</code></p>\n</li>\n"
+            append html "<p>[marked $where]</p>\n<p class=\"facts\"><code>tools/test -R objective_${number}_</code></p>\n</li>\n"
         }
         return $html
     }

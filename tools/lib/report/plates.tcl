@@ -10,8 +10,8 @@ namespace eval ::report {
     # text       what to look at
     variable rooms {
         {title "The final picture" intro {
-            The report ends with its author's own animal, set in a scene that needs everything the renderer can do. So
-            does this page begin.
+            The report ends with a modelled animal in a scene that needs nearly everything the renderer can do. This page
+            begins with ours.
         } plates {
             {id final label "Figure 7.1 and section 5.4" title "The animal" shape pair sides {rendered filtered}
             pictures {
@@ -28,7 +28,7 @@ namespace eval ::report {
             A room of known measures, a red and a green wall, one lamp. The report promises a Cornell box for nearly each
             of its objectives.
         } plates {
-            {id cornell1 label cornell1 title "Without and with antialiasing" shape pair
+            {id cornell1 label "cornell1 and cornell1-aa" title "Without and with antialiasing" shape pair
             sides {{through the centre} {all over the pixel}} crisp 1
             pictures {
                 cornell1 "Two white blocks in a room with a red and a green wall. Edges are stepped."
@@ -47,7 +47,7 @@ namespace eval ::report {
                 turns bluer the longer the way through it is, by Beer's law. Light finds its way through glass to the
                 lamp by chance alone, so the specks that are left are brightest and last to go.
             }}
-            {id cornell3 label cornell3 title "Without and with importance sampling" shape pair
+            {id cornell3 label "cornell3-noimp and cornell3" title "Without and with importance sampling" shape pair
             sides {{everywhere alike} {where it reflects}}
             pictures {
                 cornell3-noimp "A copper ball and a steel block in the box, covered in coarse, bright and dark grain."
@@ -145,7 +145,8 @@ namespace eval ::report {
         }}
     }
 
-    # What the report set out to do, in its order: a name, its own words, where to see it, and the tests that measure it.
+    # What the report set out to do, in its order: a name, its words (one misspelling mended),
+    # where to see it, and the tests that measure it.
     variable objectives {
         {"Spatial subdivision" {A hierarchical spatial subdivision scheme is introduced as described in the specification.
             Performance measures are performed with and without the optimisation.}
@@ -162,18 +163,18 @@ namespace eval ::report {
         {"Colour bleeding" {Indirect illumination via reflection, so called colour bleeding, is performed via path tracing
             and is clearly visible in the Cornell box test image.}
             {Red and green on [cornell1 the white blocks and the floor].}}
-        {"Depth of field" {Depth of field is implemented and clearly visible in a version of the Cornell box test image.}
+        {"Depth of field" {Depth of field is implemented [5] and clearly visible in a version of the Cornell box test image.}
             {[dof Five balls], one of them in focus; also in [final the final picture].}}
         {"Refraction" {Light transmission is implemented via refraction. The feature is clearly visible in the Cornell box
             test image.}
             {The room upside down in [cornell2 the ball]; most plainly in [refractive the lens].}}
-        {"Beer's law" {Beer's law is implemented for attenuation through transmissive objects. The results are clearly
-            visible in the Cornell box test image.}
+        {"Beer's law" {Beer's law is implemented for attenuation through transmissive objects as described in [6]. The results
+            are clearly visible in the Cornell box test image.}
             {[cornell2 The blue block], [dielectric the coloured balls], and the amber of [cornell4 cornell4].}}
-        {"Ashikhmin and Shirley's material" {The BRDF described by Ashikhmin and Shirley is used for lighting computations.
-            Examples of the materials are clearly visible in the Cornell box test image.}
+        {"Ashikhmin and Shirley's material" {The BRDF described in [3] is used for lighting computations.
+            Examples of the materials presented in [3] is clearly visible in the Cornell box test image.}
             {[cornell3 Copper and steel], [cornell4 brushed metal and varnish], [shirley three balls].}}
-        {"Importance sampling" {The same BRDF is used for importance sampling. The Cornell box image with and without
+        {"Importance sampling" {The BRDF described in [3] is used for importance sampling. The Cornell box image with and without
             importance sampling is available.}
             {[cornell3 The steel block] and [importance two golden balls].}}
     }
