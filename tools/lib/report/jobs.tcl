@@ -11,11 +11,10 @@ namespace eval ::report {
             say "cannot write in $pictures: $message"
             return 1
         }
-        set jobs [lmap name $names {expr {[isDone $pictures $name $quality] ? [continue] : $name}}]
-        # What is filtered goes with its picture.
-        foreach name $names {
-            if {$name ni $jobs && [dict exists $::report::pictures $name from] &&
-                [dict get $::report::pictures $name from] in $jobs} {lappend jobs $name}
+        set jobs {}
+        foreach name [withPartners $names] {
+            set from [expr {[dict exists $::report::pictures $name from] ? [dict get $::report::pictures $name from] : {}}]
+            if {$from in $jobs || ![isDone $pictures $name $quality]} {lappend jobs $name}
         }
         set failures [renderAll $jobs $quality $pictures]
         set page [file join $folder index.html]
@@ -25,6 +24,18 @@ namespace eval ::report {
         }
         summary $page $written $jobs $failures
         return [expr {[dict size $failures] > 0}]
+    }
+
+    # The names in the order of the table, with what they are filtered from, and what is filtered from them.
+    proc withPartners {names} {
+        variable pictures
+        set all $names
+        dict for {name picture} $pictures {
+            if {![dict exists $picture from]} continue
+            set from [dict get $picture from]
+            if {$name in $names || $from in $names} {lappend all $name $from}
+        }
+        lmap name [names] {expr {$name in $all ? $name : [continue]}}
     }
 
     # A file can be made there.
@@ -97,7 +108,7 @@ namespace eval ::report {
     # What a picture's program printed, without what a reader cannot use: where the root is, and where in render.tcl.
     proc reason {output} {
         variable root
-        regsub {^tools/lib/report/render\.tcl:\d+: } [string map [list $root/ {}] [string trim $output]] {}
+        regsub {^\S*tools/lib/report/render\.tcl:\d+: } [string map [list $root/ {}] [string trim $output]] {}
     }
 
     proc summary {page written jobs failures} {

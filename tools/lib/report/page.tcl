@@ -25,7 +25,7 @@ namespace eval ::report {
     # Links and code in a text of plates.tcl.
     proc marked {text} {
         set text [escape [regsub -all {\s+} [string trim $text] { }]]
-        regsub -all {\[(\S+) ([^]]+)\]} $text {<a href="#\1">\2</a>} text
+        regsub -all {\[([^\s\]]+) ([^]]+)\]} $text {<a href="#\1">\2</a>} text
         regsub -all {`([^`]+)`} $text {<code>\1</code>} text
         return $text
     }
