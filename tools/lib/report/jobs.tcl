@@ -19,8 +19,8 @@ namespace eval ::report {
         set failures [renderAll $jobs $quality $pictures]
         set page [file join $folder index.html]
         if {[catch {writePage $page $quality $pictures $failures} written]} {
-            say "cannot write $page: $written"
-            return 1
+            dict set failures [file tail $page] $written
+            set written {}
         }
         summary $page $written $jobs $failures
         return [expr {[dict size $failures] > 0}]
@@ -112,9 +112,10 @@ namespace eval ::report {
     }
 
     proc summary {page written jobs failures} {
-        set made [expr {[llength $jobs] - [dict size $failures]}]
+        set made [llength [lmap name $jobs {expr {[dict exists $failures $name] ? [continue] : $name}}]]
         set what [expr {$jobs eq {} ? "nothing to render, all pictures are done" : "rendered $made of [llength $jobs]"}]
-        say "$what; [expr {$written ? "wrote" : "as it was:"}] $page"
+        set what [dict get [list {} $what 0 "$what; as it was: $page" 1 "$what; wrote $page"] $written]
+        say $what
         dict for {name reason} $failures {say "failed: $name: $reason"}
     }
 }
