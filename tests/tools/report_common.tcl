@@ -9,7 +9,8 @@ set old 1000000000
 # grsh all.tcl QUALITY ?NAME ...?
 proc catalogue {pictures} {
     file delete -force scenes out
-    write catalogue.tcl [list namespace eval ::report "variable root [list [pwd]]; variable pictures [list $pictures]; variable rooms {}"]
+    write catalogue.tcl [list namespace eval ::report \
+        "variable root [list [pwd]]; variable pictures [list $pictures]; variable rooms {}"]
     write all.tcl "source [list [file join $::tool report.tcl]]
         source catalogue.tcl
         set ::report::catalogue [list [file normalize catalogue.tcl]]

@@ -13,8 +13,8 @@ namespace eval ::report {
         }
         set jobs {}
         foreach name [withPartners $names] {
-            set from [expr {[dict exists $::report::pictures $name from] ? [dict get $::report::pictures $name from] : {}}]
-            if {$from in $jobs || ![isDone $pictures $name $quality]} {lappend jobs $name}
+            set isNext [expr {[sourcePicture $name] in $jobs}]
+            if {$isNext || ![isDone $pictures $name $quality]} {lappend jobs $name}
         }
         set failures [renderAll $jobs $quality $pictures]
         set page [file join $folder index.html]
@@ -28,14 +28,19 @@ namespace eval ::report {
 
     # The names in the order of the table, with what they are filtered from, and what is filtered from them.
     proc withPartners {names} {
-        variable pictures
         set all $names
-        dict for {name picture} $pictures {
-            if {![dict exists $picture from]} continue
-            set from [dict get $picture from]
+        foreach name [names] {
+            set from [sourcePicture $name]
+            if {$from eq {}} continue
             if {$name in $names || $from in $names} {lappend all $name $from}
         }
         lmap name [names] {expr {$name in $all ? $name : [continue]}}
+    }
+
+    # What it is filtered from, or nothing.
+    proc sourcePicture {name} {
+        variable pictures
+        expr {[dict exists $pictures $name from] ? [dict get $pictures $name from] : {}}
     }
 
     # A file can be made there.

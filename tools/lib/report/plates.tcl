@@ -13,15 +13,16 @@ namespace eval ::report {
             The report ends with a modelled animal in a scene that needs nearly everything the renderer can do. This page
             begins with ours.
         } plates {
-            {id final label "Figure 7.1 and section 5.4" title "The animal" shape pair sides {rendered filtered}
+            {id final label "Figure 7.1 and section 5.4" title "The jaguar" shape pair sides {rendered filtered}
             pictures {
-                final "A jaguar in a scene of its own, with glass, metal, and a blurred distance."
+                final "A clay jaguar on steps before a disc of brushed gold, between a mirror ball and a green glass ball."
                 final_median "The same picture after the median filter: fine texture is a little softer."
             } text {
-                Light that has met a wall or the floor colours what is beside it, glass deepens in colour where it is
-                thick, and only what lies at one distance is sharp. Slide to the left for the report's remedy against
-                noise, a median of 3 × 3 pixels. The less noise there is, the less it has to give: look at the finest
-                lines for what it takes away.
+                The gold disc is brushed, and spreads its highlight like a fan. The green glass is deepest where it is
+                thickest, the walls colour the stone and the clay, and the lens leaves what is far behind the jaguar
+                blurred. Slide to the left for the report's remedy against noise, a median of 3 × 3 pixels: it takes
+                single bright pixels away, and the finest lines with them. The less noise there is, the less there is
+                to gain.
             }}
         }}
         {title "The Cornell box" intro {
@@ -45,7 +46,8 @@ namespace eval ::report {
             } text {
                 The ball shows the room upside down and gathers the lamp's light in a bright spot below itself. The block
                 turns bluer the longer the way through it is, by Beer's law. Light finds its way through glass to the
-                lamp by chance alone, so the specks that are left are brightest and last to go.
+                lamp by chance alone, so what noise is left
+                is a few glaring specks, the last to go.
             }}
             {id cornell3 label "cornell3-noimp and cornell3" title "Without and with importance sampling" shape pair
             sides {{everywhere alike} {where it reflects}}
@@ -137,7 +139,7 @@ namespace eval ::report {
             }}
             {id figure5.1 label "Figure 5.1" title "Seconds against spheres" shape plot
             pictures {
-                figure5.1 "Seconds against number of spheres: a straight rise without an accelerator, nearly flat lines with the grid and with Embree."
+                figure5.1 "Seconds by number of spheres: a straight rise without acceleration, else nearly flat."
             } text {
                 Both axes are logarithmic. Without acceleration the line rises in proportion to the number of spheres;
                 with the report's grid, and with Embree's tree, it stays nearly flat.
@@ -163,19 +165,20 @@ namespace eval ::report {
         {"Colour bleeding" {Indirect illumination via reflection, so called colour bleeding, is performed via path tracing
             and is clearly visible in the Cornell box test image.}
             {Red and green on [cornell1 the white blocks and the floor].}}
-        {"Depth of field" {Depth of field is implemented [5] and clearly visible in a version of the Cornell box test image.}
+        {"Depth of field" {Depth of field is implemented [5] and clearly visible in a version of the Cornell box test
+            image.}
             {[dof Five balls], one of them in focus; also in [final the final picture].}}
         {"Refraction" {Light transmission is implemented via refraction. The feature is clearly visible in the Cornell box
             test image.}
             {The room upside down in [cornell2 the ball]; most plainly in [refractive the lens].}}
-        {"Beer's law" {Beer's law is implemented for attenuation through transmissive objects as described in [6]. The results
-            are clearly visible in the Cornell box test image.}
+        {"Beer's law" {Beer's law is implemented for attenuation through transmissive objects as described in [6]. The
+            results are clearly visible in the Cornell box test image.}
             {[cornell2 The blue block], [dielectric the coloured balls], and the amber of [cornell4 cornell4].}}
         {"Ashikhmin and Shirley's material" {The BRDF described in [3] is used for lighting computations.
             Examples of the materials presented in [3] is clearly visible in the Cornell box test image.}
             {[cornell3 Copper and steel], [cornell4 brushed metal and varnish], [shirley three balls].}}
-        {"Importance sampling" {The BRDF described in [3] is used for importance sampling. The Cornell box image with and without
-            importance sampling is available.}
+        {"Importance sampling" {The BRDF described in [3] is used for importance sampling. The Cornell box image with and
+            without importance sampling is available.}
             {[cornell3 The steel block] and [importance two golden balls].}}
     }
 }

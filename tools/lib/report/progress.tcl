@@ -45,7 +45,8 @@ namespace eval ::report {
     proc leftText {} {
         variable progress
         if {[dict size [dict get $progress expected]] == 0} return
-        format " (%d of %d, %s left)" [dict get $progress count] [dict get $progress of] [durationText [lindex [estimate] 0]]
+        set left [durationText [lindex [estimate] 0]]
+        return " ([dict get $progress count] of [dict get $progress of], $left left)"
     }
 
     # Seconds that are left, and the part that is done. This machine's speed shows in what is done; some seconds at the

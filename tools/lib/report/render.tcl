@@ -1,5 +1,5 @@
-# grsh render.tcl NAME QUALITY FOLDER [CATALOGUE]: renders one picture of the report into the folder, and then writes its
-# record. CATALOGUE is a file with other pictures than the report's, as its tests have.
+# grsh render.tcl NAME QUALITY FOLDER [CATALOGUE]: renders one picture of the report into the folder, and then writes
+# its record. CATALOGUE is a file with other pictures than the report's, as its tests have.
 #
 # A scene is run as it is. Only gr_render is another: it puts the picture where we want it, at the quality asked for.
 namespace eval ::report {
@@ -23,19 +23,29 @@ namespace eval ::report {
         list [expr {max(1, round($scale * $width))}] [expr {max(1, round($scale * $height))}]
     }
 
-    # The scene's options at a quality.
-    proc optionsAt {row options keep} {
-        set options [concat {*}[lmap {name value} $options {list [string tolower [string trimleft $name -]] $value}]]
-        set ends [expr {[dict exists $options noise] || [dict exists $options time]}]
+    # The scene's options, the most samples being the quality's.
+    proc optionsAt {row words} {
+        set options [concat {*}[lmap {name value} $words {list [string tolower [string trimleft $name -]] $value}]]
         if {[dict get $row samples] > 0} {
-            set samples [expr {[dict exists $options samplesperpixel] ? [dict get $options samplesperpixel] : $ends ? 1e9 : 16}]
+            # gr_render's own number, which there is not with noise or time.
+            set samples [expr {[saysWhen $options] ? [dict get $row samples] : 16}]
+            if {[dict exists $options samplesperpixel]} {set samples [dict get $options samplesperpixel]}
             set options [dict remove $options noise time]
-            dict set options samplesperpixel [expr {int(min($samples, [dict get $row samples]))}]
-        } elseif {[dict get $row noise] > 0 && !$ends && !$keep} {
-            dict set options noise [dict get $row noise]
-            dict set options samplesperpixel [dict get $row atMost]
+            dict set options samplesperpixel [expr {min($samples, [dict get $row samples])}]
         }
         dict set options progress off
+    }
+
+    # The scene itself says how good its picture is to be.
+    proc saysWhen {options} {
+        expr {[dict exists $options noise] || [dict exists $options time]}
+    }
+
+    # The options for another go where the picture has more noise than the quality allows, else nothing.
+    proc finer {row options keep noise} {
+        set most [dict get $row noise]
+        if {$most == 0 || $keep || [saysWhen $options] || ($noise ne {} && $noise <= $most)} return
+        dict merge $options [dict create noise $most samplesperpixel [dict get $row atMost]]
     }
 
     # Notes every file that the scene is made of, as it is read.
@@ -59,9 +69,15 @@ namespace eval ::report {
         }
         set row [dict get $qualityTable $quality]
         lassign [renderWords $words] tail options
-        set options [optionsAt $row $options [dict exists $picture keep]]
+        set options [optionsAt $row $options]
         lassign [sizeAt $row $width $height] width height
-        set result [renderAsAsked $node $target $width $height $eye $view $up $fov {*}$tail {*}$options]
+        set words [list $node $target $width $height $eye $view $up $fov {*}$tail]
+        set result [renderAsAsked {*}$words {*}$options]
+        set finer [finer $row $options [dict exists $picture keep] [dict get $result noise]]
+        if {$finer ne {}} {
+            set options $finer
+            set result [renderAsAsked {*}$words {*}$options]
+        }
         dict set result width $width
         dict set result height $height
         dict set result options [dict remove $options progress]
@@ -116,7 +132,9 @@ namespace eval ::report {
             file delete -force $work
         }
         set result [dict create seconds [expr {$seconds * 1e-6}] options $words]
-        foreach file {tools/figure5.1 tests/bench/figure5.1.tcl tests/bench/figure5.1.gnuplot scenes/lib/performance.tcl} {
+        foreach file {
+            tools/figure5.1 tests/bench/figure5.1.tcl tests/bench/figure5.1.gnuplot scenes/lib/performance.tcl
+        } {
             lappend ::report::sources [file join $root $file]
         }
     }

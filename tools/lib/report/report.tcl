@@ -1,4 +1,4 @@
-# grsh report.tcl WORD...: what tools/report does, once grsh is built. Here are its words; the work is in the other files.
+# grsh report.tcl WORD...: what tools/report does, once grsh is built. Here are its words; the other files do the work.
 namespace eval ::report {
     variable here [file dirname [file normalize [info script]]]
     variable root [file normalize [file join $here .. .. ..]]
@@ -10,10 +10,10 @@ namespace eval ::report {
 Renders the pictures of the report of 2001 and writes a page that shows them, docs/report/index.html. Without names it
 renders all. What is done and has not changed since is kept.
 
-  --quality draft   at most 480 pixels wide and high, at most 64 samples per pixel: about two minutes
+  --quality draft   at most 480 pixels wide and high, at most 64 samples per pixel
   --quality normal  as the scenes say: the default
-  --quality final   until the noise is at most 1 %, or each pixel has 8192 samples; scenes that have their own noise,
-                    and those that show what noise a number of samples leaves, as they say
+  --quality final   where there is more than 1 % noise, until there is not, or each pixel has 8192 samples; not for
+                    scenes that say how much noise there may be, or show what a number of samples leaves
   --folder path     put pictures and page there
   --check           look at the page in headless Chromium: its links, its sliders, its widths
   --help            show this text
