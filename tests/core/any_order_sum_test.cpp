@@ -1,5 +1,6 @@
 // Sums that do not depend on the order.
-// Seen to fail with counts in double, a unit of 2^-8, sizes rounded to the nearest, and a text without the last count.
+// Seen to fail with counts in double, a unit of 2^-8, sizes one too large, a text that loses a bit, and sizes without
+// bound.
 #include "core/any_order_sum.h"
 
 #include <gtest/gtest.h>
