@@ -80,6 +80,10 @@ def meshes() -> None:
     block = shape("cube", "block", green, size=1.2, location=(1.1, -0.4, 0.6), rotation=(0, 0, 0.5))
     block.data.materials.append(red)
     block.data.polygons[3].material_index = 1
+    can = shape("cylinder", "can", white, radius=0.4, depth=1, location=(1.9, -2.2, 0.5), rotation=(0, 0.3, 0))
+    bpy.ops.object.shade_smooth()
+    if hasattr(can.data, "use_auto_smooth"):  # before Blender 4.1: the lid's edge is sharp
+        can.data.use_auto_smooth, can.data.auto_smooth_angle = True, 0.6
     # What hangs below an object that is turned and scaled by two different amounts is sheared.
     child = shape("cone", "child", white, radius1=0.5, depth=1, location=(1, 0.2, 1.2), rotation=(0.4, 0.5, 0.9))
     child.parent = block
@@ -202,7 +206,7 @@ def render(path: str) -> None:
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0
     cycles.light_sampling_threshold = 0
     # At a path's last point Cycles asks for the background, grsh does not: let there be little left.
-    cycles.max_bounces = cycles.diffuse_bounces = 10
+    cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = 20, 10, 10
     file = scene.render.image_settings
     file.file_format, file.color_mode, file.color_depth = "OPEN_EXR", "RGB", "32"
     scene.render.filepath = path + ".exr"

@@ -34,12 +34,17 @@ def background(world, warnings: Warnings) -> list[str]:
     return [f"background {numbers(strength * x for x in colour)}"]
 
 
-def path_length(scene) -> int:
-    """Cycles counts bounces; behind the last one light is drawn once more."""
-    return scene.cycles.max_bounces + 1 if hasattr(scene, "cycles") else 8
+def path_length(scene, has_glass: bool) -> int:
+    """Cycles counts bounces, with limits for each kind beside that for all, and draws light once more behind the last.
+    Glass needs the most; without it the others' limits count."""
+    cycles = getattr(scene, "cycles", None)  # an add-on, which may be off
+    if cycles is None:
+        return 8
+    bounces = cycles.max_bounces
+    return 1 + (bounces if has_glass else min(bounces, max(cycles.diffuse_bounces, cycles.glossy_bounces)))
 
 
-def options(scene, warnings: Warnings) -> list[str]:
+def options(scene, has_glass: bool, warnings: Warnings) -> list[str]:
     view = scene.view_settings
     is_plain = view.look == "None" and view.gamma == 1 and not view.use_curve_mapping
     if view.view_transform not in ("Standard", "Raw") or not is_plain:
@@ -48,7 +53,8 @@ def options(scene, warnings: Warnings) -> list[str]:
     if scene.render.use_border:
         warnings.warn(f'scene "{scene.name}"', "the render region is left out: the whole picture is rendered")
     exposure = f" exposure {number(view.exposure)}" if view.exposure else ""
-    return [f"globalillumination on antialiasing on pathlength {path_length(scene)} samplesperpixel 64{exposure}",
+    length = path_length(scene, has_glass)
+    return [f"globalillumination on antialiasing on pathlength {length} samplesperpixel 64{exposure}",
             " ".join(["accelerator auto", *background(scene.world, warnings)])]
 
 
@@ -77,7 +83,7 @@ def export(path: str, warnings: Warnings) -> None:
     folder, name = os.path.split(path)
     scene = bpy.context.scene
     script = Script(gather(scene, warnings), name.removesuffix(".gr"), warnings)
-    text = script.text(title(), options(scene, warnings))
+    text = script.text(title(), options(scene, script.has_glass(), warnings))
     files = {file: part.ply() for file, part in script.files.items()}
     write(folder, {**files, name: text.encode()})
     print(f"export_gr: {name} and {len(files)} mesh files in {folder}")

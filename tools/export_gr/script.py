@@ -55,6 +55,9 @@ class Script:
             self.materials[material] = name
         return self.materials[material]
 
+    def has_glass(self) -> bool:
+        return any(" dielectric " in line for line in self.material_lines)
+
     def file(self, item: Item, number: int) -> str:
         """The file of the mesh's part of this number."""
         if (item.mesh, number) not in self.file_of:
