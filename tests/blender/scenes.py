@@ -82,7 +82,10 @@ def meshes() -> None:
     block.data.polygons[3].material_index = 1
     can = shape("cylinder", "can", white, radius=0.4, depth=1, location=(1.9, -2.2, 0.5), rotation=(0, 0.3, 0))
     bpy.ops.object.shade_smooth()
-    if hasattr(can.data, "use_auto_smooth"):  # before Blender 4.1: the lid's edge is sharp
+    # The lid's edge is sharp.
+    if hasattr(can.data, "set_sharp_from_angle"):  # Blender 4.1 and later
+        can.data.set_sharp_from_angle(angle=0.6)
+    else:
         can.data.use_auto_smooth, can.data.auto_smooth_angle = True, 0.6
     # What hangs below an object that is turned and scaled by two different amounts is sheared.
     child = shape("cone", "child", white, radius1=0.5, depth=1, location=(1, 0.2, 1.2), rotation=(0.4, 0.5, 0.9))

@@ -2,6 +2,7 @@
 import math
 from dataclasses import dataclass
 
+import bpy
 from mathutils import Matrix, Vector
 
 from .errors import Warnings
@@ -40,9 +41,12 @@ def strength(light, thing: str, warnings: Warnings) -> Vector:
     return power * colour
 
 
+# Watts over area and radiance of an area lamp. Up to Blender 3 Cycles took 4 for pi.
+POWER_OVER_RADIANCE = math.pi if bpy.app.version >= (4, 0) else 4
+
+
 def area_lamp(light, matrix: Matrix, thing: str, warnings: Warnings) -> Lamp:
-    """Cycles: radiance = watts / (4 area). The lamp shines along its own -z, gr_als_planar along -y, and y_up makes the
-    one of the other."""
+    """The lamp shines along its own -z, gr_als_planar along -y, and y_up makes the one of the other."""
     axes = matrix.to_3x3()
     is_round = light.shape in ("DISK", "ELLIPSE")
     if is_round:
@@ -65,7 +69,7 @@ def area_lamp(light, matrix: Matrix, thing: str, warnings: Warnings) -> Lamp:
     if turned.col[2].xyz.dot(axes.col[2]) < 0:
         turned.col[0], turned.col[2] = -turned.col[0], -turned.col[2]
     turned.translation = matrix.translation
-    return Lamp(numbers(power / 4), place(y_up(turned))[0])
+    return Lamp(numbers(power / POWER_OVER_RADIANCE), place(y_up(turned))[0])
 
 
 def point_light(light, matrix: Matrix, thing: str, warnings: Warnings) -> PointLight:
