@@ -76,7 +76,8 @@ class Gatherer:
     def add_mesh(self, item, matrix: Matrix, thing: str) -> None:
         key = data_key(item)
         if key not in self.found.meshes:
-            self.found.meshes[key] = item.data.name, parts_of(item.to_mesh())
+            name = item.data.name if item.original.type == "MESH" else item.name
+            self.found.meshes[key] = name, parts_of(item.to_mesh())
             item.to_mesh_clear()
         parts = self.found.meshes[key][1]
         if not parts:

@@ -111,12 +111,9 @@ class Shader:
     def leave_out(self, node, *sockets: tuple[str, ...]) -> None:
         """Warns of sockets that grsh has nothing for, where they do something."""
         for names in sockets:
-            socket = next((node.inputs[name] for name in names if name in node.inputs), None)
-            if socket is None:
-                continue
-            value = socket.default_value if hasattr(socket, "default_value") else 0.0
-            if socket.is_linked or isinstance(value, float) and value != 0:
-                self.warn(f"{names[0]} is left out")
+            for socket in (node.inputs[name] for name in names if name in node.inputs):
+                if socket.is_linked or socket.default_value != 0:
+                    self.warn(f"{socket.name} is left out")
 
     def look(self, socket) -> Look:
         node = linked(socket)
