@@ -76,7 +76,7 @@ namespace eval ::report {
         set record [readRecord [dict get $shown folder] $name]
         set facts {}
         dict with record {
-            if {[info exists width]} {lappend facts "$width × $height pixels"}
+            if {[info exists width]} {lappend facts "$width × $height"}
             if {[info exists samplesperpixel]} {lappend facts "$samplesperpixel samples per pixel"}
             if {[info exists noise] && $noise ne {}} {lappend facts "noise [percentText $noise]"}
             lappend facts [durationText $seconds]

@@ -26,7 +26,7 @@ namespace eval ::report {
             }}
         }}
         {title "The Cornell box" intro {
-            A room of known measures, a red and a green wall, one lamp. The report promises a Cornell box for nearly each
+            A room of known measures, a red and a green wall, one lamp. The report promises a Cornell box for most
             of its objectives.
         } plates {
             {id cornell1 label "cornell1 and cornell1-aa" title "Without and with antialiasing" shape pair

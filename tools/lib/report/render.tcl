@@ -109,7 +109,10 @@ namespace eval ::report {
         variable target
         variable folder
         set from [pictureFile $folder [dict get $picture from]]
-        if {![file isfile $from]} {error "there is no [file tail $from] to be filtered"}
+        # A picture without a record is an older one.
+        if {![file isfile $from] || [readRecord $folder [dict get $picture from]] eq {}} {
+            error "there is no [file tail $from] to be filtered"
+        }
         set n [dict get $picture n]
         set seconds [expr {[lindex [time {gr_median $from $target $n}] 0] * 1e-6}]
         # Its size is that of the picture that was filtered.
