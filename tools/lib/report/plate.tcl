@@ -3,10 +3,12 @@ namespace eval ::report {
     proc plateText {plate} {
         dict with plate {
             set names [dict keys $pictures]
-            set html "<figure class=\"plate $shape\" id=\"$id\">\n[${shape}Text $plate]\n<figcaption>\n"
+            set html "<article class=\"plate $shape\" id=\"$id\">\n<figure>\n[${shape}Text $plate]\n<figcaption>\n"
             append html "<p class=\"label\">[escape $label]</p>\n<h3>[escape $title]</h3>\n<p>[marked $text]</p>\n"
             foreach name $names {append html [factsText $name [expr {[llength $names] > 1}]]}
             append html "</figcaption>\n</figure>\n"
+            foreach name $names {append html [scriptText $name]}
+            append html "</article>\n"
         }
     }
 
@@ -69,7 +71,7 @@ namespace eval ::report {
         return "<p class=\"missing\">[escape "$name $why"]</p>"
     }
 
-    # What it took, and the script that made it.
+    # What it took.
     proc factsText {name isNamed} {
         variable shown
         if {![isShown $name]} return
@@ -85,7 +87,7 @@ namespace eval ::report {
         # A line ends between two facts, not within one.
         set facts [join [lmap fact $facts {string map [list { } \u00a0] $fact}] { · }]
         set title [expr {$isNamed ? "<b>[escape $name]</b> " : ""}]
-        return "<p class=\"facts\">$title[escape $facts]</p>\n[codeText {*}[sourceOf $name]]"
+        return "<p class=\"facts\">$title[escape $facts]</p>\n"
     }
 
     # Two digits, at least.
@@ -94,15 +96,16 @@ namespace eval ::report {
         format [expr {$percent < 0.995 ? "%.2f %%" : $percent < 9.95 ? "%.1f %%" : "%.0f %%"}] $percent
     }
 
-    # A title and the text of what made it.
-    proc sourceOf {name} {
+    # What made it.
+    proc scriptText {name} {
         variable root
         variable pictures
+        if {![isShown $name]} return
         set picture [dict get $pictures $name]
         if {[dict get $picture kind] eq "median"} {
-            return [list gr_median "gr_median [dict get $picture from].png $name.png [dict get $picture n]"]
+            return [codeText gr_median "gr_median [dict get $picture from].png $name.png [dict get $picture n]"]
         }
-        list [scriptOf $name] [text [file join $root [scriptOf $name]]]
+        codeText [scriptOf $name] [text [file join $root [scriptOf $name]]]
     }
 
     proc codeText {title script} {
