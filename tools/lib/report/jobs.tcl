@@ -50,7 +50,7 @@ namespace eval ::report {
         close [open $probe w]
         file delete $probe
         # What a call that was killed has left half written.
-        file delete -force {*}[glob -nocomplain -directory $folder figure5.1.*\[0-9\] *.record.* .grsh-*]
+        file delete -force {*}[glob -nocomplain -directory $folder figure5.1.*\[0-9\] *.record.* .grsh-* starter]
     }
 
     # Returns a dict of what failed and why.
@@ -59,10 +59,12 @@ namespace eval ::report {
         startProgress $jobs $quality
         foreach name $jobs {
             startPicture $name
-            lassign [renderOne $name $quality $folder] code output
+            lassign [try {renderOne $name $quality $folder} on error {message} {list 1 $message}] code output
             endPicture
             if {$code != 0 && $output eq {}} {set output "ended with $code"}
             if {$code == 0} {
+                # Warnings: noise that was not reached, a picture that is black.
+                if {$output ne {}} {say "$name: $output"}
                 say "$name: [durationText [dict get [readRecord $folder $name] seconds]][leftText]"
             } else {
                 dict set failures $name $output
@@ -74,10 +76,9 @@ namespace eval ::report {
 
     # Returns its exit code, 0 for success, and what it printed. The child ends when we do.
     proc renderOne {name quality folder} {
-        variable here
         variable catalogue
         variable finished {}
-        set channel [open |[list setpriv --pdeathsig KILL [info nameofexecutable] [file join $here render.tcl] $name \
+        set channel [open |[list setpriv --pdeathsig KILL [info nameofexecutable] [starter $name $folder] $name \
             $quality $folder {*}$catalogue </dev/null 2>@1]]
         fconfigure $channel -blocking 0 -encoding utf-8
         set ::report::output {}
@@ -85,7 +86,17 @@ namespace eval ::report {
         variable timer [after 500 ::report::tick]
         vwait ::report::finished
         after cancel $timer
+        file delete -force [file join $folder starter]
         return $finished
+    }
+
+    # A picture tells the name of the script that grsh was given: so that it is the scene's, a file of that name begins.
+    proc starter {name folder} {
+        variable here
+        set file [file join $folder starter $name.gr]
+        file mkdir [file dirname $file]
+        writeWhole $file [list source [file join $here render.tcl]]
+        return $file
     }
 
     proc tick {} {

@@ -15,8 +15,8 @@ namespace eval ::report {
     # The file is there whole or as it was.
     proc writeWhole {file text} {
         set temporary $file.[pid]
-        set channel [open $temporary w]
         try {
+            set channel [open $temporary w]
             fconfigure $channel -encoding utf-8 -translation lf
             puts -nonewline $channel $text
             # A full disk may show only now.
@@ -25,7 +25,8 @@ namespace eval ::report {
         } on error {message options} {
             catch {close $channel}
             file delete $temporary
-            return -options $options $message
+            set code [dict get $options -errorcode]
+            error "cannot write \"$file\": [expr {[lindex $code 0] eq "POSIX" ? [lindex $code 2] : $message}]"
         }
     }
 
