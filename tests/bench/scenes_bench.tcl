@@ -13,6 +13,7 @@ proc gr_render {node file width height eye view up fov args} {
     lassign [renderWords $args] tail options
     set scale [expr {100. / max($width, $height)}]
     set size [list [expr {int($width * $scale)}] [expr {int($height * $scale)}]]
+    set options [dict remove $options noise time]
     dict set options progress off
     dict set options threads 1
     dict set options samplesperpixel 2

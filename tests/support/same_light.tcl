@@ -104,6 +104,7 @@ proc differences {words samples firstSeed} {
 rename gr_render renderWhole
 proc gr_render {node file width height eye view up fov args} {
     lassign [renderWords $args] tail options
+    set options [dict remove $options noise time]
     set words [list [list $node same_light.pfm 16 12 $eye $view $up $fov {*}$tail] $options]
     # What differs is looked at again, with more samples of other seeds.
     if {[differences $words [expr {32 * $::factor}] 1] eq ""} return
