@@ -1,26 +1,26 @@
-"""A jaguar, lying: makes a .blend of it, for Blender 3 and 4, in about a minute.
+"""A jaguar, lying: makes a .blend of it, for Blender 3 and 4, in about a minute, and beside that a list of its spots.
 
-    blender -b -P scenes/models/jaguar.py -- jaguar.blend
-    blender jaguar.blend -b -P tools/export_gr.py -- scenes/models/jaguar.gr
+    blender -b -P scenes/models/jaguar.py -- scenes/models/jaguar.blend
+    blender scenes/models/jaguar.blend -b -P tools/export_gr.py -- scenes/models/jaguar.gr
 
-The second command writes jaguar-body.ply, which scenes/final.gr shows. The places here are as they are there, with y
-up: it lies on the floor y = 0, is 2.2 long and looks along +z, its head turned to its left, +x. The mesh is one closed
-surface. Where the eyes are, which are balls of their own, is printed.
+The second command writes jaguar-body.ply. scenes/final.gr shows that, and jaguar-spots.txt: the x, y, z and radius of a
+ball for each spot. Eyes and nose are balls there, too. Places have y up here, as there: it lies on the floor y = 0, is
+2.2 long, and looks along +z, its head turned to its left, +x. The mesh is one closed surface.
 """
 import os
 import sys
 
-import bpy
 import numpy as np
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "lib"))
+import blend
 import nets
 from clay import Clay, spline, turn
 
-EYE = (0.069, 0.034, 0.108, 0.037)
+EYE = (0.069, 0.034, 0.108, 0.037)    # of clay: a ball of glass will cover it
 HEAD = (0, 0.71, 0.645)      # the middle of the skull
-SIZE = 1.36                  # of the head, as against the numbers below
+SIZE = 1.36                  # of the head, as against its measures below
 TURN = (1, 38, -5)           # its nod, turn and tilt
 TAIL = [(0, 0.26, -0.62, 0.10), (0.02, 0.10, -0.80, 0.07), (0.16, 0.06, -0.95, 0.06), (0.40, 0.055, -0.90, 0.055),
         (0.57, 0.055, -0.66, 0.052), (0.64, 0.055, -0.36, 0.05), (0.63, 0.065, -0.10, 0.05), (0.55, 0.10, 0.08, 0.048),
@@ -58,7 +58,8 @@ def body(clay):
 def paw(clay, x, z, size):
     clay.egg((x, 0.062 * size, z + 0.01), (0.085 * size, 0.066 * size, 0.12 * size), 0.04)
     for dx, dz in ((-0.062, 0.070), (-0.022, 0.105), (0.022, 0.105), (0.062, 0.070)):
-        clay.egg((x + dx * size, 0.046 * size, z + dz * size), (0.027 * size, 0.048 * size, 0.052 * size), 0.012, (0, dx * 250, 0))
+        clay.egg((x + dx * size, 0.046 * size, z + dz * size), (0.027 * size, 0.048 * size, 0.052 * size), 0.012,
+                 (0, dx * 250, 0))
 
 
 def head(clay):
@@ -90,8 +91,10 @@ def head(clay):
         with clay.both():
             # Eye, lids
             egg(EYE[:3], (EYE[3],) * 3, 0.003)
-            lid([(-0.038, -0.026, 0.022, 0.006), (-0.024, 0.014, 0.032, 0.008), (0.004, 0.032, 0.026, 0.010), (0.034, 0.027, 0.008, 0.009), (0.050, 0.017, -0.012, 0.006)], 0.010)
-            lid([(-0.039, -0.029, 0.022, 0.006), (-0.014, -0.030, 0.027, 0.007), (0.014, -0.025, 0.027, 0.007), (0.038, -0.006, 0.012, 0.007), (0.050, 0.014, -0.012, 0.006)], 0.010)
+            lid([(-0.038, -0.026, 0.022, 0.006), (-0.024, 0.014, 0.032, 0.008), (0.004, 0.032, 0.026, 0.010),
+                 (0.034, 0.027, 0.008, 0.009), (0.050, 0.017, -0.012, 0.006)], 0.010)
+            lid([(-0.039, -0.029, 0.022, 0.006), (-0.014, -0.030, 0.027, 0.007), (0.014, -0.025, 0.027, 0.007),
+                 (0.038, -0.006, 0.012, 0.007), (0.050, 0.014, -0.012, 0.006)], 0.010)
             # Ear
             egg((0.114, 0.122, -0.06), (0.056, 0.062, 0.034), 0.025, (-10, 32, -36))
         with clay.pressed(), clay.both():
@@ -100,8 +103,52 @@ def head(clay):
             # Philtrum, mouth, nostrils
             limb([(0, -0.050, 0.276, 0.005), (0, -0.088, 0.262, 0.007)], 0.007)
             with clay.both():
-                limb([(0, -0.090, 0.258, 0.008), (0.034, -0.106, 0.238, 0.009), (0.070, -0.099, 0.185, 0.010), (0.094, -0.080, 0.11, 0.006)], 0.010)
+                limb([(0, -0.090, 0.258, 0.008), (0.034, -0.106, 0.238, 0.009), (0.070, -0.099, 0.185, 0.010),
+                      (0.094, -0.080, 0.11, 0.006)], 0.010)
                 egg((0.026, -0.034, 0.273), (0.013, 0.009, 0.012), 0.006)
+
+
+def scattered(points, spacing, chance):
+    """Numbers of some of the points, no two of them nearer to each other than that, and others not much farther."""
+    free, chosen = np.ones(len(points), bool), []
+    for i in chance.permutation(len(points)):
+        if free[i]:
+            chosen.append(i)
+            free &= np.linalg.norm(points - points[i], axis=1) > spacing
+    return np.array(chosen)
+
+
+def rosette(vertices, normals, i, chance):
+    """The numbers of five vertices in a ring about the vertex i."""
+    across = np.cross(normals[i], (0.3, 0.2, 1))
+    along = 1.25 * np.cross(normals[i], across)
+    for angle in chance.uniform(0, 6.28) + 1.257 * np.arange(5) + chance.uniform(-0.2, 0.2, 5):
+        at = vertices[i] + chance.uniform(0.034, 0.042) * (np.cos(angle) * across + np.sin(angle) * along)
+        yield np.linalg.norm(vertices - at, axis=1).argmin()
+
+
+def coat(vertices, normals):
+    """Spots, each a ball of which a little looks out of the clay: rosettes on the trunk, single ones elsewhere."""
+    chance = np.random.default_rng(2001)
+    x, y, z = vertices.T
+    u, v, w = ((vertices - HEAD) @ turn(*TURN) / SIZE).T    # in the head's measures
+    brow = (np.abs(u) < 0.065) & (v > 0.09) & (w > -0.02) & (w < 0.10)
+    cheek = (np.abs(u) > 0.10) & (v < 0.02) & (v > -0.1) & (w > -0.06) & (w < 0.07)
+    skull = np.linalg.norm(vertices - HEAD - turn(*TURN) @ (0, 0.08, 0.08), axis=1) < 0.33
+    tail = (z < -0.66) | (x > 0.43)
+    free = ~skull & ~tail & (y > 0.12) & (y < 0.86) & (z < 0.74) & (normals[:, 1] > -0.5)
+    trunk = free & (y > 0.17) & (z < 0.42)
+
+    def some(where, spacing):
+        return np.flatnonzero(where)[scattered(vertices[where], spacing, chance)]
+
+    spots = []
+    for i in some(trunk, 0.135):
+        spots += [(k, chance.uniform(0.0022, 0.0042)) for k in rosette(vertices, normals, i, chance)]
+    spots += [(i, chance.uniform(0.0016, 0.0034)) for i in some(free & ~trunk, 0.066)]
+    spots += [(i, chance.uniform(0.0006, 0.0012)) for i in some(brow | cheek, 0.048)]
+    rings = [(*p, r + 0.004) for *p, r in spline(TAIL, 10)[14::5]]
+    return [(*(vertices[i] - (SPOT - out) * normals[i]), SPOT) for i, out in spots] + rings
 
 
 def model(cell):
@@ -115,94 +162,17 @@ def model(cell):
     return clay.lower + cell * vertices, faces, nets.normals(clay.field, vertices)
 
 
-def eyes():
-    """A ball for each eye, a little larger than that of clay, and one for its pupil, which looks out of it."""
-    for name, ahead, radius in ("eye", 0, 1.05 * EYE[3]), ("pupil", 0.0215, 0.0205):
-        for side in (1, -1):
-            x, y, z = np.add(EYE[:3], np.multiply((0.1, 0, 1), ahead))
-            yield name, *np.round(HEAD + turn(*TURN) @ np.multiply((side * x, y, z), SIZE), 4), round(SIZE * radius, 4)
-
-
-def scattered(points, spacing, chance):
-    """Numbers of some of the points, no two of them nearer to each other than that, and others not much farther."""
-    order = chance.permutation(len(points))
-    free, chosen = np.ones(len(points), bool), []
-    for i in order:
-        if free[i]:
-            chosen.append(i)
-            free &= np.linalg.norm(points - points[i], axis=1) > spacing
-    return np.array(chosen)
-
-
-def spots(vertices, normals):
-    """The coat: rosettes of five spots on the trunk, single ones elsewhere. A spot is a ball that just looks out."""
-    chance = np.random.default_rng(2001)
-    x, y, z = vertices.T
-    around_head = np.linalg.norm(vertices - HEAD - turn(*TURN) @ (0, 0.08, 0.08), axis=1)
-    u, v, w = ((vertices - HEAD) @ turn(*TURN) / SIZE).T
-    brow = (np.abs(u) < 0.065) & (v > 0.09) & (w > -0.02) & (w < 0.10)
-    cheek = (np.abs(u) > 0.10) & (v < 0.02) & (v > -0.1) & (w > -0.06) & (w < 0.07)
-    tail = (z < -0.66) | (x > 0.43)
-    free = (around_head > 0.33) & ~tail & (y > 0.12) & (y < 0.86) & (z < 0.74) & (normals[:, 1] > -0.5)
-    trunk = free & (y > 0.17) & (z < 0.42)
-    places = []
-    for i in np.flatnonzero(trunk)[scattered(vertices[trunk], 0.135, chance)]:
-        across = np.cross(normals[i], (0.3, 0.2, 1))
-        along = np.cross(normals[i], across)
-        start = chance.uniform(0, 6.28)
-        for k in range(5):
-            angle = start + 1.257 * k + chance.uniform(-0.2, 0.2)
-            at = vertices[i] + chance.uniform(0.034, 0.042) * (np.cos(angle) * across + 1.25 * np.sin(angle) * along)
-            places.append((np.linalg.norm(vertices - at, axis=1).argmin(), chance.uniform(0.0022, 0.0042)))
-    for i in np.flatnonzero(free & ~trunk)[scattered(vertices[free & ~trunk], 0.066, chance)]:
-        places.append((i, chance.uniform(0.0016, 0.0034)))
-    for i in np.flatnonzero(brow | cheek)[scattered(vertices[brow | cheek], 0.048, chance)]:
-        places.append((i, chance.uniform(0.0006, 0.0012)))
-    balls = [(*(vertices[i] - (SPOT - out) * normals[i]), SPOT) for i, out in places]
-    # The nose, and rings of the tail
-    for x, y, z, r in (-0.017, -0.023, 0.2425, 0.027), (0.017, -0.023, 0.2425, 0.027), (0, -0.034, 0.2455, 0.027):
-        balls.append((*(HEAD + turn(*TURN) @ np.multiply((x, y, z), SIZE)), SIZE * r))
-    return balls + [(*p, r + 0.004) for *p, r in spline(TAIL, 10)[14::5]]
-
-
-def in_blender(vertices, faces, triangles):
-    """The mesh as Blender's one object, smooth, with fewer triangles where it is flat. Blender's z axis is up."""
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    mesh = bpy.data.meshes.new("body")
-    mesh.from_pydata(np.stack([vertices[:, 0], -vertices[:, 2], vertices[:, 1]], 1).tolist(), [], faces.tolist())
-    body = bpy.data.objects.new("body", mesh)
-    bpy.context.collection.objects.link(body)
-    fewer = body.modifiers.new("fewer", "DECIMATE")
-    fewer.ratio = triangles / (2 * len(faces))
-    small = bpy.data.meshes.new_from_object(body.evaluated_get(bpy.context.evaluated_depsgraph_get()))
-    body.modifiers.clear()
-    body.data = small
-    bpy.data.meshes.remove(mesh)
-    small.name = "body"
-    small.polygons.foreach_set("use_smooth", [True] * len(small.polygons))
-    return small
-
-
-def look_at_it():
-    """A camera, without which Blender renders nothing and tools/export_gr.py exports nothing."""
-    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.location, camera.rotation_euler = (4.5, -5.5, 1.5), (1.45, 0, 0.68)
-    bpy.context.collection.objects.link(camera)
-    bpy.context.scene.camera = camera
-    bpy.context.scene.view_settings.view_transform = "Standard"
-
-
 def main():
     words = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     if len(words) != 1 or not words[0].endswith(".blend"):
         sys.exit("usage: blender -b -P scenes/models/jaguar.py -- jaguar.blend")
     vertices, faces, normals = model(cell=0.007)
-    mesh = in_blender(vertices, faces, triangles=84000)
-    look_at_it()
-    print(len(mesh.polygons), "triangles", *eyes(), sep="\n")
-    with open(words[0].removesuffix(".blend") + "-spots.txt", "w") as file:
-        file.writelines("{:.4f} {:.4f} {:.4f} {:.4f}\n".format(*spot) for spot in spots(vertices, normals))
-    bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(words[0]))
+    blend.empty()
+    blend.mesh("body", vertices, faces, triangles=84000)
+    blend.camera((4.5, 1.5, 5.5), (-0.62, -0.12, -0.77))
+    with open(words[0].removesuffix(".blend") + "-spots.txt", "w", encoding="ascii") as file:
+        file.writelines("{:.4f} {:.4f} {:.4f} {:.4f}\n".format(*ball) for ball in coat(vertices, normals))
+    blend.save(words[0])
 
 
 if __name__ == "__main__":
