@@ -1,11 +1,12 @@
-"""A jaguar, lying: makes a .blend of it, for Blender 3 and 4, in about a minute, and beside that a list of its spots.
+"""A jaguar, lying: makes a .blend of it, for Blender 3 and 4, in half a minute, and beside that a list of its spots.
 
-    blender -b -P scenes/models/jaguar.py -- scenes/models/jaguar.blend
-    blender scenes/models/jaguar.blend -b -P tools/export_gr.py -- scenes/models/jaguar.gr
+    blender -b -P scenes/models/jaguar.py -- jaguar.blend
+    blender jaguar.blend -b -P tools/export_gr.py -- jaguar.gr
 
-The second command writes jaguar-body.ply. scenes/final.gr shows that, and jaguar-spots.txt: the x, y, z and radius of a
-ball for each spot. Eyes and nose are balls there, too. Places have y up here, as there: it lies on the floor y = 0, is
-2.2 long, and looks along +z, its head turned to its left, +x. The mesh is one closed surface.
+The second command writes jaguar-body.ply. That and jaguar-spots.txt, with x, y, z and radius of a ball for each spot,
+are kept beside this script, for scenes/final.gr. Eyes and nose are balls there, too. Places have y up here, as there:
+the jaguar lies on the floor y = 0, is 2.2 long, and looks along +z, its head turned to its left, +x. The mesh is one
+closed surface.
 """
 import os
 import sys
@@ -18,14 +19,14 @@ import blend
 import nets
 from clay import Clay, spline, turn
 
-EYE = (0.069, 0.034, 0.108, 0.037)    # of clay: a ball of glass will cover it
-HEAD = (0, 0.71, 0.645)      # the middle of the skull
-SIZE = 1.36                  # of the head, as against its measures below
-TURN = (1, 38, -5)           # its nod, turn and tilt
+HEAD = (0, 0.71, 0.645)    # the middle of the skull
+SIZE = 1.36    # of the head, as against its measures below
+TURN = (1, 38, -5)    # its nod, turn and tilt, in degrees
+EYE = (0.069, 0.034, 0.108, 0.037)    # a ball in the head's measures; in the scene a little larger one covers it
 TAIL = [(0, 0.26, -0.62, 0.10), (0.02, 0.10, -0.80, 0.07), (0.16, 0.06, -0.95, 0.06), (0.40, 0.055, -0.90, 0.055),
         (0.57, 0.055, -0.66, 0.052), (0.64, 0.055, -0.36, 0.05), (0.63, 0.065, -0.10, 0.05), (0.55, 0.10, 0.08, 0.048),
         (0.46, 0.17, 0.13, 0.042)]
-SPOT = 0.05                  # the radius of a spot's ball
+SPOT = 0.05    # the radius of a spot's ball
 
 
 def at_head(p):
@@ -166,6 +167,8 @@ def main():
     words = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     if len(words) != 1 or not words[0].endswith(".blend"):
         sys.exit("usage: blender -b -P scenes/models/jaguar.py -- jaguar.blend")
+    if not os.path.isdir(os.path.dirname(os.path.abspath(words[0]))):
+        sys.exit(f'jaguar.py: cannot write "{words[0]}": there is no such folder')
     vertices, faces, normals = model(cell=0.007)
     blend.empty()
     blend.mesh("body", vertices, faces, triangles=84000)
