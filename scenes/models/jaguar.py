@@ -26,6 +26,8 @@ EYE = (0.069, 0.034, 0.108, 0.037)    # a ball in the head's measures; in the sc
 TAIL = [(0, 0.26, -0.62, 0.10), (0.02, 0.10, -0.80, 0.07), (0.16, 0.06, -0.95, 0.06), (0.40, 0.055, -0.90, 0.055),
         (0.57, 0.055, -0.66, 0.052), (0.64, 0.055, -0.36, 0.05), (0.63, 0.065, -0.10, 0.05), (0.55, 0.10, 0.08, 0.048),
         (0.46, 0.17, 0.13, 0.042)]
+WHISKERS = [(0.058, -0.054, 0.252), (0.064, -0.070, 0.250), (0.060, -0.086, 0.244), (0.078, -0.058, 0.236),
+            (0.084, -0.074, 0.230)]    # a spot for each, on both sides
 SPOT = 0.05    # the radius of a spot's ball
 
 
@@ -102,10 +104,10 @@ def head(clay):
             egg((0.125, 0.131, -0.028), (0.039, 0.045, 0.028), 0.012, (-10, 32, -36))
         with clay.pressed():
             # Philtrum, mouth, nostrils
-            limb([(0, -0.050, 0.276, 0.005), (0, -0.088, 0.262, 0.007)], 0.007)
+            limb([(0, -0.050, 0.276, 0.006), (0, -0.088, 0.260, 0.010)], 0.006)
             with clay.both():
-                limb([(0, -0.090, 0.258, 0.008), (0.034, -0.106, 0.238, 0.009), (0.070, -0.099, 0.185, 0.010),
-                      (0.094, -0.080, 0.11, 0.006)], 0.010)
+                limb([(0, -0.090, 0.256, 0.010), (0.034, -0.107, 0.236, 0.011), (0.070, -0.100, 0.185, 0.012),
+                      (0.096, -0.080, 0.105, 0.006)], 0.008)
                 egg((0.026, -0.034, 0.273), (0.013, 0.009, 0.012), 0.006)
 
 
@@ -148,8 +150,13 @@ def coat(vertices, normals):
         spots += [(k, chance.uniform(0.0022, 0.0042)) for k in rosette(vertices, normals, i, chance)]
     spots += [(i, chance.uniform(0.0016, 0.0034)) for i in some(free & ~trunk, 0.066)]
     spots += [(i, chance.uniform(0.0006, 0.0012)) for i in some(brow | cheek, 0.048)]
-    rings = [(*p, r + 0.004) for *p, r in spline(TAIL, 10)[14::5]]
-    return [(*(vertices[i] - (SPOT - out) * normals[i]), SPOT) for i, out in spots] + rings
+    balls = [(*(vertices[i] - (SPOT - out) * normals[i]), SPOT) for i, out in spots]
+    for place in WHISKERS:
+        for side in (1, -1):
+            at = HEAD + SIZE * turn(*TURN) @ np.multiply(place, (side, 1, 1))
+            i = np.linalg.norm(vertices - at, axis=1).argmin()
+            balls.append((*(vertices[i] - 0.009 * normals[i]), 0.01))
+    return balls + [(*p, r + 0.004) for *p, r in spline(TAIL, 10)[14::5]]
 
 
 def model(cell):
