@@ -129,9 +129,12 @@ inline float gather(const float* table, std::uint32_t index) {
 }
 template<class Arch>
 xsimd::batch<float, Arch> gather(const float* table, const xsimd::batch<std::uint32_t, Arch>& index) {
-    // xsimd leaves AVX-512's own instruction unused.
+    // xsimd leaves the processor's own instructions unused where it may multiply and add in one.
 #ifdef __AVX512F__
     if constexpr (xsimd::batch<float, Arch>::size == 16) return _mm512_i32gather_ps(index.data, table, sizeof(float));
+#endif
+#ifdef __AVX2__
+    if constexpr (xsimd::batch<float, Arch>::size == 8) return _mm256_i32gather_ps(table, index.data, sizeof(float));
 #endif
     return xsimd::batch<float, Arch>::gather(table, xsimd::bitwise_cast<xsimd::batch<std::int32_t, Arch>>(index));
 }

@@ -52,6 +52,26 @@ struct SampleBlock {
     int y(int pixel) const { return top + pixel / (right - left); }
 };
 
+// Goes through a block's samples, pixel after pixel, each pixel's in their order. It counts, since to divide for each
+// sample would take longer than to draw its random numbers.
+struct SampleWalk {
+    explicit SampleWalk(const SampleBlock& block) : block(block), x(block.left), y(block.top), sample(block.first) {}
+
+    bool isOver() const { return place == static_cast<std::size_t>(block.size()); }
+    void next() {
+        ++place;
+        if (++sample < block.end) return;
+        sample = block.first;
+        if (++x < block.right) return;
+        x = block.left;
+        ++y;
+    }
+
+    SampleBlock block;
+    int x, y, sample;
+    std::size_t place = 0;  // in Samples
+};
+
 // What a block's samples saw: pixel after pixel, line after line, each pixel's samples in their order.
 struct Samples {
     std::vector<core::Rgbf> radiance;

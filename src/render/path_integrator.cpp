@@ -49,9 +49,9 @@ public:
     void render(const View& view, const SampleBlock& block, Samples& samples,
                 const std::atomic<bool>& stop) const override {
         Paths<Real> paths;
-        for (std::size_t next = 0; !stop.load(std::memory_order_relaxed);) {
+        for (SampleWalk next(block); !stop.load(std::memory_order_relaxed);) {
             // Lanes whose path has ended begin with the next sample.
-            if (!core::all(paths.alive)) next = start(paths, view, block, next, samples.rays);
+            if (!core::all(paths.alive)) start(paths, view, next, samples.rays);
             const std::uint32_t before = core::bitsOf(paths.alive);
             if (before == 0) return;
             goOn(paths, view.camera, samples);
@@ -78,29 +78,26 @@ private:
         }
     };
 
-    // Begins paths in the lanes where none is on its way, as long as the block has samples left from `next` on.
-    std::size_t start(Paths<Real>& paths, const View& view, const SampleBlock& block, std::size_t next,
-                      RayCounts& rays) const {
-        const auto size = static_cast<std::size_t>(block.size()),
-                   perPixel = static_cast<std::size_t>(block.samplesPerPixel());
+    // Begins paths in the lanes where none is on its way, as long as there are samples left.
+    void start(Paths<Real>& paths, const View& view, SampleWalk& next, RayCounts& rays) const {
         std::uint32_t begun = 0;
         core::forEachLane(allLanes & ~core::bitsOf(paths.alive), [&](int lane) {
-            if (next == size) return;
+            if (next.isOver()) return;
             const auto i = static_cast<std::size_t>(lane);
-            const int pixel = static_cast<int>(next / perPixel);
-            paths.x[i] = static_cast<std::uint32_t>(block.x(pixel));
-            paths.y[i] = static_cast<std::uint32_t>(block.y(pixel));
-            paths.sample[i] = static_cast<std::uint32_t>(block.first) + static_cast<std::uint32_t>(next % perPixel);
-            paths.slot[i] = next++;
+            paths.x[i] = static_cast<std::uint32_t>(next.x);
+            paths.y[i] = static_cast<std::uint32_t>(next.y);
+            paths.sample[i] = static_cast<std::uint32_t>(next.sample);
+            paths.slot[i] = next.place;
+            next.next();
             begun |= 1u << lane;
         });
-        if (begun == 0) return next;
+        if (begun == 0) return;
 
         const UInt x = core::loadUInt<Real>(paths.x.data()), y = core::loadUInt<Real>(paths.y.data());
         const std::uint32_t seed =
             mixed(static_cast<std::uint32_t>(view.seed) + mixed(static_cast<std::uint32_t>(view.seed >> 32)));
         paths.random = {mixed(UInt(x + mixed(UInt(y + UInt(seed))))), core::loadUInt<Real>(paths.sample.data()),
-                        static_cast<int>(std::bit_width(static_cast<std::uint32_t>(block.end - 1)))};
+                        static_cast<int>(std::bit_width(static_cast<std::uint32_t>(next.block.end - 1)))};
         const Point4<Real> u = paths.random.point(UInt(Numbers::camera));
         const Draw inPixel = view.antialiasing ? Draw(u[0], u[1]) : Draw(Real(0.5f));
         const Draw place = Draw(core::toReal(x), core::toReal(y)) + inPixel;
@@ -123,7 +120,6 @@ private:
         paths.alive = paths.alive | here;
         rays.camera += static_cast<std::uint64_t>(std::popcount(begun));
         if (scene_.hasDielectrics) startMedia(paths, begun, rays);
-        return next;
     }
 
     void startMedia(Paths<Real>& paths, std::uint32_t begun, RayCounts& rays) const {
