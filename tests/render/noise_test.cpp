@@ -150,8 +150,8 @@ TEST(NoiseEstimate, IsTrueForEvenlySpreadSamples) {
 }
 
 TEST(NoiseEstimate, IsTrueForTheSumOfBoth) {
-    // Doubling leaves a quarter of one part and half of the other, which two steps do not tell apart well: at 100 samples
-    // the estimate is 0.89 of the truth.
+    // Doubling leaves a quarter of one part and half of the other, which two steps do not tell apart well: at 100
+    // samples the estimate is 0.89 of the truth.
     for (const int samples : {16, 24, 31, 64, 100, 256}) expectTrue(Mixed(), samples, 0.12);
 }
 
