@@ -5,7 +5,7 @@
 source [file join [file dirname [info script]] .. support render_words.tcl]
 source [file join [file dirname [info script]] .. support relative_error.tcl]
 set folder [file normalize [file join [file dirname [info script]] .. .. scenes]]
-set side 48 ;# pixels, the longer one
+set longerSide 48 ;# pixels, the longer one
 set reference 2048 ;# samples per pixel
 set requests {{samplesperpixel 16} {samplesperpixel 64} {samplesperpixel 100} {noise 0.1 samplesperpixel 256}}
 set seeds {1 2 3 4}
@@ -13,7 +13,7 @@ set seeds {1 2 3 4}
 rename gr_render renderWhole
 proc gr_render {node file width height eye view up fov args} {
     lassign [renderWords $args] tail options
-    set scale [expr {double($::side) / max($width, $height)}]
+    set scale [expr {double($::longerSide) / max($width, $height)}]
     set size [list [expr {int($width * $scale)}] [expr {int($height * $scale)}]]
     set name [file join [expr {[info exists ::env(TMPDIR)] ? $::env(TMPDIR) : "/tmp"}] noise-bench-[pid]]
     foreach option {samplesperpixel noise time layers} {set options [dict remove $options $option]}
