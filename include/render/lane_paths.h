@@ -8,6 +8,22 @@
 
 namespace render {
 
+// Which four random numbers of a path serve what.
+template<class Real>
+struct PathNumbers {
+    using UInt = core::UInt<Real>;
+
+    static constexpr std::uint32_t camera = 0;  // the place in the pixel, and that on the lens, or
+    static constexpr std::uint32_t light = 1;  // the first surface point's light
+    // The direction in which a path leaves its n-th surface point, and the light where it arrives.
+    static UInt way(const UInt& surfacePoints) { return surfacePoints + UInt(1); }
+    static UInt method(const UInt& surfacePoints) { return surfacePoints + UInt(1u << 16); }
+    // All light samples of a surface point but its first.
+    static UInt moreLight(const UInt& surfacePoints, int sample) {
+        return mixed(UInt(surfacePoints + UInt(mixed(static_cast<std::uint32_t>(sample)))));
+    }
+};
+
 // Paths on their way, one in each lane.
 template<class Real>
 struct Paths {

@@ -1,12 +1,9 @@
-#include "render/lane_paths.h"
-#include "render/path_setup.h"
+#include "render/lane_lights.h"
 
 namespace render {
 namespace {
 
 using materials::BsdfSample;
-using Hemisphere = core::CosineHemisphere;
-
 template<class Real>
 using Mask = core::Mask<Real>;
 template<class Real>
@@ -30,19 +27,11 @@ Mask<Real> none() {
     return Real(0) > Real(0);
 }
 
-// How much a sample counts that another way of sampling could have drawn, too: the balance heuristic (Veach 1997,
-// 9.2.2). Of no weight where neither can.
-template<class Real>
-Real balance(const Real& pdf, const Real& otherPdf) {
-    const Real sum = pdf + otherPdf;
-    return core::select(sum > Real(0), pdf / sum, Real(0));
-}
-
 template<class Real>
 class PathIntegrator final : public Integrator {
 public:
     explicit PathIntegrator(PathSetup&& setup)
-        : setup_(std::move(setup)), scene_(setup_.scene), tracer_(setup_.scene) {}
+        : setup_(std::move(setup)), scene_(setup_.scene), tracer_(setup_.scene), lights_(setup_, tracer_) {}
 
     std::size_t bytes() const override { return scene_.bytes(); }
 
@@ -65,19 +54,6 @@ private:
 
     static constexpr std::uint32_t allLanes = static_cast<std::uint32_t>((1ull << core::laneCount<Real>)-1);
 
-    // Which four random numbers serve what.
-    struct Numbers {
-        static constexpr std::uint32_t camera = 0;  // the place in the pixel, and that on the lens, or
-        static constexpr std::uint32_t light = 1;  // the first surface point's light
-        // The direction in which a path leaves its n-th surface point, and the light where it arrives.
-        static UInt way(const UInt& surfacePoints) { return surfacePoints + UInt(1); }
-        static UInt method(const UInt& surfacePoints) { return surfacePoints + UInt(1u << 16); }
-        // All light samples of a surface point but its first.
-        static UInt moreLight(const UInt& surfacePoints, int sample) {
-            return mixed(UInt(surfacePoints + UInt(mixed(static_cast<std::uint32_t>(sample)))));
-        }
-    };
-
     // Begins paths in the lanes where none is on its way, as long as there are samples left.
     void start(Paths<Real>& paths, const View& view, SampleWalk& next, RayCounts& rays) const {
         std::uint32_t begun = 0;
@@ -98,14 +74,14 @@ private:
             mixed(static_cast<std::uint32_t>(view.seed) + mixed(static_cast<std::uint32_t>(view.seed >> 32)));
         paths.random = {mixed(UInt(x + mixed(UInt(y + UInt(seed))))), core::loadUInt<Real>(paths.sample.data()),
                         static_cast<int>(std::bit_width(static_cast<std::uint32_t>(next.block.end - 1)))};
-        const Point4<Real> u = paths.random.point(UInt(Numbers::camera));
+        const Point4<Real> u = paths.random.point(UInt(PathNumbers<Real>::camera));
         const Draw inPixel = view.antialiasing ? Draw(u[0], u[1]) : Draw(Real(0.5f));
         const Draw place = Draw(core::toReal(x), core::toReal(y)) + inPixel;
         const bool hasLens = view.camera.hasLens();
         const core::Ray<Real> ray = hasLens ? view.camera.ray(place, Draw(u[2], u[3])) : view.camera.ray(place);
         Vec3<Real> light(u[2], u[3], Real(0));
         if (hasLens || setup_.picksLights) {
-            const Point4<Real> more = paths.random.point(UInt(Numbers::light));
+            const Point4<Real> more = paths.random.point(UInt(PathNumbers<Real>::light));
             light = hasLens ? Vec3<Real>(more[2], more[3], more[0]) : Vec3<Real>(u[2], u[3], more[0]);
         }
         const Mask<Real> here = core::maskOf<Real>(begun);
@@ -158,7 +134,7 @@ private:
         // A path ends at a light. Its back is dark.
         const Mask<Real> hitsLight = isMet & (surface.light >= Real(0));
         if (core::any(hitsLight)) {
-            const Rgb<Real> light = paths.throughput * emitted(paths, points, hitsLight);
+            const Rgb<Real> light = paths.throughput * lights_.emitted(paths, points, hitsLight);
             paths.radiance += core::select(hitsLight, light, Rgb<Real>(Real(0)));
         }
         paths.alive = isMet & !hitsLight;
@@ -167,8 +143,8 @@ private:
         const Mask<Real> isLast = paths.surfacePoints >= Real(static_cast<float>(setup_.pathLength));
 
         // Add the light that comes straight from the lights.
-        paths.radiance +=
-            core::select(paths.alive, paths.throughput * directLight(paths, points, isLast, rays), Rgb<Real>(Real(0)));
+        paths.radiance += core::select(paths.alive, paths.throughput * lights_.direct(paths, points, isLast, rays),
+                                       Rgb<Real>(Real(0)));
 
         // A path that is as long as it may be ends here.
         if (setup_.ambient != core::Rgbf(0)) addAmbient(paths, points, isLast);
@@ -177,8 +153,8 @@ private:
 
         // Go on in a direction drawn by the material.
         const UInt number = core::toUInt(paths.surfacePoints);
-        const Point4<Real> u = paths.random.point(Numbers::way(number));
-        const Point4<Real> more = paths.random.point(Numbers::method(number));
+        const Point4<Real> u = paths.random.point(PathNumbers<Real>::way(number));
+        const Point4<Real> more = paths.random.point(PathNumbers<Real>::method(number));
         const BsdfSample<Real> next = sampled(paths, points, {more[0], {u[0], u[1]}});
         const Vec3<Real> direction = points.frame.toWorld(next.wi);
         paths.lightDraw = Vec3<Real>(u[2], u[3], more[2]);
@@ -214,93 +190,6 @@ private:
         });
     }
 
-    // What the lights' fronts send along the rays that have met them, as far as it is for the rays to bring.
-    Rgb<Real> emitted(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& hitsLight) const {
-        const Real index = core::select(hitsLight, points.surface.light, Real(0));
-        const auto light = gr::gathered<Real>(scene_.scene.areaLights.data(), core::toUInt(index));
-        const Real times = timesAsked(paths.ray.origin, index);
-        const Real lightPdfW = light.pdfW(paths.ray.direction, points.surface.t) * times;
-        const Real part = core::select(paths.pdfW < Real(core::infinity), balance(paths.pdfW, lightPdfW), Real(1));
-        return core::select(hitsLight & points.fromOutside, light.radiance * part, Rgb<Real>(Real(0)));
-    }
-
-    // How often a surface point asks a light for light, on average.
-    Real timesAsked(const Vec3<Real>& at, const Real& light) const {
-        if (!setup_.picksLights) return Real(static_cast<float>(setup_.lightSamples));
-        return scene_.lights.probability(at, light) * Real(static_cast<float>(setup_.lightDraws));
-    }
-
-    // Which light a sample asks, and where. Of a few lights each is asked, of many those that chance picks. Its
-    // radiance is over how often the point asks it.
-    struct Question {
-        gr::AreaLightOf<Real> light;
-        Real times;  // that it is asked, on average
-        Draw place;
-    };
-    Question question(const Paths<Real>& paths, const Vec3<Real>& at, int sample) const {
-        Vec3<Real> u = paths.lightDraw;
-        if (sample > 0) {
-            const Point4<Real> more = paths.random.point(Numbers::moreLight(core::toUInt(paths.surfacePoints), sample));
-            u = Vec3<Real>(more[0], more[1], more[2]);
-        }
-        const Draw place(u.x, u.y);
-        const gr::AreaLight* lights = scene_.scene.areaLights.data();
-        Question question;
-        if (setup_.picksLights) {
-            const auto pick = scene_.lights.pick(at, u.z);
-            question = {gr::gathered<Real>(lights, core::toUInt(pick.light)),
-                        pick.probability * Real(static_cast<float>(setup_.lightDraws)), place};
-        } else {
-            question = {gr::broadcast<Real>(lights[sample / setup_.lightSamples]),
-                        Real(static_cast<float>(setup_.lightSamples)), place};
-        }
-        Rgb<Real>& radiance = question.light.radiance;
-        radiance = core::select(question.times > Real(0), radiance / question.times, Rgb<Real>(Real(0)));
-        return question;
-    }
-
-    Rgb<Real> directLight(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isLast,
-                          RayCounts& rays) const {
-        Rgb<Real> sum(Real(0));
-        const Vec3<Real> start = points.offset(points.normal);
-        for (int i = 0; i < setup_.lightDraws; ++i) {
-            const Question asked = question(paths, start, i);
-            gr::LightSample<Real> sample = asked.light.sample(points.surface.position, asked.place);
-            // A path that goes on would find the light, too; the last point of one has this way alone.
-            sample.pdfW = core::select(isLast, Real(0), sample.pdfW * asked.times);
-            sum += reflected(paths, points, sample, gr::shadowRay(start, asked.light, sample.target), rays);
-        }
-        for (const gr::PointLight& light : scene_.scene.pointLights) {
-            const gr::LightSample<Real> sample = light.sample<Real>(points.surface.position);
-            const core::Ray<Real> shadow{start, sample.target - start, Real(1)};
-            sum += reflected(paths, points, sample, shadow, rays);
-        }
-        return sum;
-    }
-
-    // What the surfaces reflect of a light sample towards the eye, black where something stands between. Its density is
-    // that of all samples together; where it is 0, light comes from there in no other way.
-    Rgb<Real> reflected(const Paths<Real>& paths, const ShadingPoints<Real>& points,
-                        const gr::LightSample<Real>& sample, const core::Ray<Real>& shadow, RayCounts& rays) const {
-        const Vec3<Real> wi = points.frame.toLocal(sample.wi);
-        Rgb<Real> f(Real(0));
-        Real pdfW(0);
-        points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
-            f = core::select(here, bsdf.eval(points.wo, wi), f);
-            pdfW = core::select(here, bsdf.template pdfW<Real, Hemisphere>(points.wo, wi), pdfW);
-        });
-        const Real part = core::select(sample.pdfW > Real(0), balance(sample.pdfW, pdfW), Real(1));
-        const Rgb<Real> light = f * sample.weight * part;
-        const Mask<Real> shines =
-            paths.alive & (light.x + light.y + light.z > Real(0)) & !points.isOnWrongSide(sample.wi, wi);
-        if (!core::any(shines)) return Rgb<Real>(Real(0));
-        rays.shadow += static_cast<std::uint64_t>(core::countOf(shines));
-        const Mask<Real> isDark = tracer_.occluded(shadow, shines, rays.traversal);
-        const Rgb<Real> arriving =
-            scene_.hasDielectrics ? light * paths.media.transmittance(glm::length(shadow.direction)) : light;
-        return core::select(shines & !isDark, arriving, Rgb<Real>(Real(0)));
-    }
-
     void addAmbient(Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isLast) const {
         points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
             const Rgb<Real> light = core::broadcast<Real>(setup_.ambient * bsdf.ambientReflectance());
@@ -319,7 +208,7 @@ private:
                               none<Real>(),
                               none<Real>()};
         points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
-            next = select<Real>(here, bsdf.template sample<Real, Hemisphere>(points.wo, u, indexBeyond), next);
+            next = select<Real>(here, bsdf.template sample<Real, PathHemisphere>(points.wo, u, indexBeyond), next);
         });
         return next;
     }
@@ -380,7 +269,8 @@ private:
 
     const PathSetup setup_;
     const PathScene& scene_;
-    LaneTracer<Real> tracer_;
+    const LaneTracer<Real> tracer_;
+    const LaneLights<Real> lights_;
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ PathScene::PathScene(const gr::Scene& scene, const gr::Accelerator& accelerator)
 
 std::size_t PathScene::bytes() const {
     return (faces.parallelograms.capacity() + faces.triangles.capacity()) * sizeof(Face) +
-           (spheres.capacity() + boxes.capacity()) * sizeof(const gr::Instance*);
+           (spheres.capacity() + boxes.capacity()) * sizeof(const gr::Instance*) + lights.bytes();
 }
 
 void PathScene::nearest(const RayColumns& rays, std::uint32_t lanes, SurfaceColumns& surfaces,
