@@ -103,7 +103,7 @@ proc differences {words samples firstSeed} {
 
 # Where a highlight is very narrow, few of the report's samples find a light in it, and those count for so much that
 # their mean is not normal for a long time: here no highlight is narrower than this one.
-set steepest 2000
+set steepest 300
 rename gr_material materialAsIs
 proc gr_material {args} {
     set at [lsearch $args exp]
