@@ -6,7 +6,7 @@
 
 source [file join [file dirname [info script]] .. support render_words.tcl]
 set folder [file normalize [file join [file dirname [info script]] .. .. scenes]]
-set side 256 ;# pixels, the longer one
+set longerSide 256 ;# pixels, the longer one
 
 set all [lassign $argv wanted]
 if {$wanted eq {}} {set wanted 1e7}
@@ -23,7 +23,7 @@ foreach scene $names {
 rename gr_render renderWhole
 proc gr_render {node file width height eye view up fov args} {
     lassign [renderWords $args] tail options
-    set scale [expr {double($::side) / max($width, $height)}]
+    set scale [expr {double($::longerSide) / max($width, $height)}]
     set size [list [expr {int($width * $scale)}] [expr {int($height * $scale)}]]
     set pixels [expr {[lindex $size 0] * [lindex $size 1]}]
     set share [expr {($::wanted - $::samples) / double($::left)}]
