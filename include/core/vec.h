@@ -3,6 +3,7 @@
 
 #include "core/lanes.h"
 
+#include <cstddef>
 #include <glm/glm.hpp>
 
 namespace core {
@@ -32,6 +33,26 @@ template<class Real>
 Vec3<Real> broadcast(const Vec3f& v) {
     return {Real(v.x), Real(v.y), Real(v.z)};
 }
+
+// A row of a table for each lane. Rows hold nothing but floats; offset: of a number in its row, in bytes, as offsetof
+// tells it.
+template<class Real, class Row>
+class GatheredRow {
+public:
+    // Every lane's index must be within the table, whether it counts or not.
+    GatheredRow(const Row* table, const UInt<Real>& index)
+        : table_(reinterpret_cast<const float*>(table)), place_(index * UInt<Real>(sizeof(Row) / sizeof(float))) {
+        static_assert(sizeof(Row) % sizeof(float) == 0);
+    }
+    Real number(std::size_t offset) const { return gather(table_ + offset / sizeof(float), place_); }
+    Vec3<Real> vector(std::size_t offset) const {
+        return {number(offset), number(offset + sizeof(float)), number(offset + 2 * sizeof(float))};
+    }
+
+private:
+    const float* table_;
+    UInt<Real> place_;
+};
 
 template<class Real>
 Real largestComponent(const Vec3<Real>& v) {

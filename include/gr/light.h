@@ -50,13 +50,11 @@ using AreaLight = AreaLightOf<float>;
 // The light of that index, for each lane.
 template<class Real>
 AreaLightOf<Real> gathered(const AreaLight* lights, const core::UInt<Real>& index) {
-    constexpr int numbers = sizeof(AreaLight) / sizeof(float);
-    static_assert(sizeof(AreaLight) == numbers * sizeof(float) && numbers == 18);
-    const auto* table = reinterpret_cast<const float*>(lights);
-    const core::UInt<Real> row = index * core::UInt<Real>(numbers);
-    const auto number = [&](int i) { return core::gather(table + i, row); };
-    const auto vector = [&](int i) { return core::Vec3<Real>(number(i), number(i + 1), number(i + 2)); };
-    return {vector(0), vector(3), vector(6), vector(9), vector(12), number(15), number(16), number(17)};
+    const core::GatheredRow<Real, AreaLight> row(lights, index);
+    return {row.vector(offsetof(AreaLight, corner)),   row.vector(offsetof(AreaLight, edge1)),
+            row.vector(offsetof(AreaLight, edge2)),    row.vector(offsetof(AreaLight, normal)),
+            row.vector(offsetof(AreaLight, radiance)), row.number(offsetof(AreaLight, area)),
+            row.number(offsetof(AreaLight, error)),    row.number(offsetof(AreaLight, errorPerUnit))};
 }
 // The same light in all lanes.
 template<class Real>

@@ -18,7 +18,6 @@ struct Face {
     float margin;  // over the error: how much of u, of v and of 1 - u - v a point should keep from the edges
     float material, light;  // indices; light is -1 where nothing shines
 };
-inline constexpr int faceFloats = sizeof(Face) / sizeof(float);
 
 struct FaceList {
     std::vector<Face> parallelograms, triangles;

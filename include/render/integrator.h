@@ -48,8 +48,6 @@ struct SampleBlock {
     int pixels() const { return (right - left) * (bottom - top); }
     int samplesPerPixel() const { return end - first; }
     int size() const { return pixels() * samplesPerPixel(); }
-    int x(int pixel) const { return left + pixel % (right - left); }
-    int y(int pixel) const { return top + pixel / (right - left); }
 };
 
 // Goes through a block's samples, pixel after pixel, each pixel's in their order. It counts, since to divide for each

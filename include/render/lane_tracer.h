@@ -127,41 +127,35 @@ private:
     template<bool isTriangle>
     void setFace(LaneSurface<Real>& surface, const core::Ray<Real>& ray, const std::vector<Face>& faces, const Real& id,
                  const Mask& here) const {
-        const core::UInt<Real> row = core::toUInt(core::select(here, id, Real(0))) * core::UInt<Real>(faceFloats);
-        const auto number = [&](std::size_t offset) {
-            return core::gather(reinterpret_cast<const float*>(faces.data()) + offset / sizeof(float), row);
-        };
-        const auto vector = [&](std::size_t offset) {
-            return Vec3(number(offset), number(offset + sizeof(float)), number(offset + 2 * sizeof(float)));
-        };
-        const Vec3 normal = vector(offsetof(Face, normal)), corner = vector(offsetof(Face, corner));
+        const core::GatheredRow<Real, Face> row(faces.data(), core::toUInt(core::select(here, id, Real(0))));
+        const Vec3 normal = row.vector(offsetof(Face, normal)), corner = row.vector(offsetof(Face, corner));
         Vec3 position = ray.origin + ray.direction * surface.t;
-        const Real error =
-            number(offsetof(Face, error)) + number(offsetof(Face, errorPerUnit)) * core::largestComponent(position);
+        const Real error = row.number(offsetof(Face, error)) +
+                           row.number(offsetof(Face, errorPerUnit)) * core::largestComponent(position);
         // Onto the plane, off which rounding may have put the end of a long way.
         position = position - normal * glm::dot(normal, position - corner);
         // Away from the edges, so that a ray that goes on starts on the right side of the faces beyond them.
         const Vec3 inPlane = position - corner;
-        const Real least = core::min(number(offsetof(Face, margin)) * error, Real(0.25f));
-        const Real u = glm::dot(vector(offsetof(Face, toU)), inPlane),
-                   v = glm::dot(vector(offsetof(Face, toV)), inPlane);
+        const Real least = core::min(row.number(offsetof(Face, margin)) * error, Real(0.25f));
+        const Real u = glm::dot(row.vector(offsetof(Face, toU)), inPlane),
+                   v = glm::dot(row.vector(offsetof(Face, toV)), inPlane);
         const Real most = Real(1) - least;
         const Mask isAtEdge = here & ((core::min(u, v) < least) | ((isTriangle ? u + v : core::max(u, v)) > most));
         if (core::any(isAtEdge)) {
             const Real b1 = isTriangle ? core::max(u, least) : core::min(core::max(u, least), most);
             const Real b2 = isTriangle ? core::max(v, least) : core::min(core::max(v, least), most);
             const Real sum = isTriangle ? core::max(Real(1) - u - v, least) + b1 + b2 : Real(1);
-            const Vec3 inside =
-                corner + vector(offsetof(Face, edge1)) * (b1 / sum) + vector(offsetof(Face, edge2)) * (b2 / sum);
+            const Vec3 inside = corner + row.vector(offsetof(Face, edge1)) * (b1 / sum) +
+                                row.vector(offsetof(Face, edge2)) * (b2 / sum);
             position = core::select(isAtEdge, inside, position);
         }
         surface.position = core::select(here, position, surface.position);
         surface.normal = core::select(here, normal, surface.normal);
         surface.error = core::select(here, error, surface.error);
-        surface.material = core::select(here, number(offsetof(Face, material)), surface.material);
-        surface.light = core::select(here, number(offsetof(Face, light)), surface.light);
+        surface.material = core::select(here, row.number(offsetof(Face, material)), surface.material);
+        surface.light = core::select(here, row.number(offsetof(Face, light)), surface.light);
         if (scene_.hasAnisotropy)
-            surface.tangent = core::select(here, vector(offsetof(Face, tangent)), surface.tangent);
+            surface.tangent = core::select(here, row.vector(offsetof(Face, tangent)), surface.tangent);
     }
 
     template<class Shape>

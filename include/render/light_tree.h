@@ -102,13 +102,12 @@ public:
 private:
     template<class Real>
     Real importanceOf(const core::UInt<Real>& node, const core::Vec3<Real>& at) const {
-        constexpr int numbers = sizeof(LightNode<float>) / sizeof(float);
-        static_assert(numbers == 10 && sizeof(LightNode<float>) == numbers * sizeof(float));
-        const auto* table = reinterpret_cast<const float*>(nodes_.data());
-        const core::UInt<Real> row = node * core::UInt<Real>(numbers);
-        const auto number = [&](int i) { return core::gather(table + i, row); };
-        const auto vector = [&](int i) { return core::Vec3<Real>(number(i), number(i + 1), number(i + 2)); };
-        return LightNode<Real>{vector(0), number(3), vector(4), number(7), number(8), number(9)}.importance(at);
+        using Node = LightNode<float>;
+        const core::GatheredRow<Real, Node> row(nodes_.data(), node);
+        const LightNode<Real> found{row.vector(offsetof(Node, centre)), row.number(offsetof(Node, radius)),
+                                    row.vector(offsetof(Node, axis)),   row.number(offsetof(Node, cosine)),
+                                    row.number(offsetof(Node, sine)),   row.number(offsetof(Node, power))};
+        return found.importance(at);
     }
     template<class Real>
     static Real shareOf(const Real& part, const Real& all) {

@@ -23,10 +23,8 @@ const Camera camera({0, 0, 6}, {0.05, -0.1, -1}, {0, 1, 0}, 50, width, height);
 class Known : public Integrator {
 public:
     void render(const View& view, const SampleBlock& block, Samples& samples, const std::atomic<bool>&) const override {
-        std::size_t i = 0;
-        for (int pixel = 0; pixel < block.pixels(); ++pixel)
-            for (int sample = block.first; sample < block.end; ++sample, ++i)
-                samples.radiance[i] = radiance(view.seed, block.x(pixel), block.y(pixel), sample);
+        for (SampleWalk at(block); !at.isOver(); at.next())
+            samples.radiance[at.place] = radiance(view.seed, at.x, at.y, at.sample);
     }
     virtual Rgbf radiance(std::uint64_t seed, int x, int y, int sample) const = 0;
     virtual Rgbf mean(int x, int y) const = 0;
