@@ -3,8 +3,9 @@
 // Seen to fail with light that both ways to find it bring in full, light met again after a mirror that has a highlight,
 // Russian roulette that is not made up for, a hemisphere's density 2 % too large, walls and lamps that cast no shadow,
 // shadow rays that nothing absorbs, an eye's medium taken for all of the lens, a pane met from inside that does not
-// count, several samples of a light weighed as one, ambient light at every point, refraction that starts on the wrong
-// side, and bounces through a surface that is shaded with other normals.
+// count, several samples of a light weighed as one, lights that chance picks weighed as if each were asked, ambient
+// light at every point, refraction that starts on the wrong side, and bounces through a surface that is shaded with
+// other normals.
 #include "render/same_light.h"
 
 #include "materials/parameter_sets.h"
@@ -50,7 +51,7 @@ struct Room : SameLight {
         for (int i = 0; i < 9; ++i) {
             const double turn = 0.7 * i;
             addLamp("around" + std::to_string(i), core::Rgbf(0.3f * static_cast<float>(1 + i), 2, 1),
-                    {1.5 * std::sin(turn), 0.2 * i - 1, 1.5 * std::cos(turn)}, 0.3, i % 3, 40. * i);
+                    {1.5 * std::sin(turn), 0.2 * i - 1, 1.5 * std::cos(turn)}, 0.3 + 0.15 * i, i % 3, 40. * i);
         }
     }
     void addSmoothBall(const core::Rgbf& reflectance, const glm::dvec3& centre) {
