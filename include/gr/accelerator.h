@@ -12,6 +12,7 @@
 namespace gr {
 
 class Scene;
+class TreeAccelerator;
 
 // How much work rays were.
 struct TraversalCounts {
@@ -37,6 +38,8 @@ public:
     virtual std::size_t bytes() const = 0;
     // What it is, for a person: "grid of 12 x 8 x 3 cells".
     virtual std::string description() const = 0;
+    // Itself where it is trees of boxes, else null: lanes walk those by themselves.
+    virtual const TreeAccelerator* tree() const { return nullptr; }
     // Whether it tests every object for every ray.
     virtual bool testsAll() const { return false; }
     std::string reason;  // why it was taken, where nobody asked for it by name

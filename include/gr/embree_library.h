@@ -15,18 +15,10 @@ struct EmbreeLibrary {
     decltype(&::rtcReleaseDevice) rtcReleaseDevice;
     decltype(&::rtcGetDeviceError) rtcGetDeviceError;
     decltype(&::rtcSetDeviceMemoryMonitorFunction) rtcSetDeviceMemoryMonitorFunction;
-    decltype(&::rtcNewScene) rtcNewScene;
-    decltype(&::rtcReleaseScene) rtcReleaseScene;
-    decltype(&::rtcCommitScene) rtcCommitScene;
-    decltype(&::rtcAttachGeometry) rtcAttachGeometry;
-    decltype(&::rtcNewGeometry) rtcNewGeometry;
-    decltype(&::rtcReleaseGeometry) rtcReleaseGeometry;
-    decltype(&::rtcCommitGeometry) rtcCommitGeometry;
-    decltype(&::rtcSetGeometryUserData) rtcSetGeometryUserData;
-    decltype(&::rtcSetGeometryUserPrimitiveCount) rtcSetGeometryUserPrimitiveCount;
-    decltype(&::rtcSetGeometryBoundsFunction) rtcSetGeometryBoundsFunction;
-    decltype(&::rtcSetGeometryIntersectFunction) rtcSetGeometryIntersectFunction;
-    decltype(&::rtcIntersect1) rtcIntersect1;
+    decltype(&::rtcNewBVH) rtcNewBVH;
+    decltype(&::rtcReleaseBVH) rtcReleaseBVH;
+    decltype(&::rtcBuildBVH) rtcBuildBVH;
+    decltype(&::rtcThreadLocalAlloc) rtcThreadLocalAlloc;
 
     // Throws core::Error where it cannot be loaded, and tries again the next time.
     static const EmbreeLibrary& get();

@@ -32,29 +32,36 @@ struct PackRay : TriangleRay<PackLanes, UniformAxes> {
     explicit PackRay(const core::Rayf& ray) : TriangleRay(TriangleRay<float>(ray)) {}
 };
 
-// Triangles. A lane of zeros holds an empty triangle, which no ray meets.
-struct alignas(16) TrianglePack {
-    float vertex[3][3][packWidth];  // [vertex][axis][lane]
+// Triangles. A place of zeros holds an empty triangle, which no ray meets.
+template<int width>
+struct alignas(4 * width) TrianglePackOf {
+    float vertex[3][3][width];  // [vertex][axis][place]
 
-    void set(int lane, const std::array<core::Vec3f, 3>& v) {
+    void set(int place, const std::array<core::Vec3f, 3>& v) {
         for (int corner = 0; corner < 3; ++corner)
-            for (int axis = 0; axis < 3; ++axis) vertex[corner][axis][lane] = v[corner][axis];
+            for (int axis = 0; axis < 3; ++axis) vertex[corner][axis][place] = v[corner][axis];
     }
-    core::Vec3f corner(int lane, int i) const { return {vertex[i][0][lane], vertex[i][1][lane], vertex[i][2][lane]}; }
+    core::Vec3f corner(int place, int i) const {
+        return {vertex[i][0][place], vertex[i][1][place], vertex[i][2][place]};
+    }
 
-    // Calls found(hit) where the ray meets any. Most packs are missed by most rays: the exact areas, and how far along
-    // the ray, are asked only where one is not.
-    template<class Found>
-    void intersect(const PackRay& ray, Found&& found) const {
-        const core::Vec3<PackLanes> a = load(ray, 0), b = load(ray, 1), c = load(ray, 2);
+    // Calls found(hit) where the ray meets any of the triangles from place `first` on, as many as there are lanes. Most
+    // packs are missed by most rays: the exact areas, and how far along the ray, are asked only where one is not.
+    template<class Lanes, class Found>
+    void intersect(const TriangleRay<Lanes, UniformAxes>& ray, int first, Found&& found) const {
+        const auto load = [&](int corner) {
+            const auto axis = [&](int k) { return Lanes::load_aligned(vertex[corner][k] + first); };
+            return core::Vec3<Lanes>(axis(ray.axes.x), axis(ray.axes.y), axis(ray.axes.z));
+        };
+        const core::Vec3<Lanes> a = load(0), b = load(1), c = load(2);
         if (!xsimd::any(ray.cross(a, b, c).inside)) return;
         found(ray.hit(ray.exactCross(a, b, c), a, b, c));
     }
-
-private:
-    core::Vec3<PackLanes> load(const PackRay& ray, int corner) const {
-        const auto axis = [&](int k) { return PackLanes::load_aligned(vertex[corner][k]); };
-        return {axis(ray.axes.x), axis(ray.axes.y), axis(ray.axes.z)};
+};
+struct TrianglePack : TrianglePackOf<packWidth> {
+    template<class Found>
+    void intersect(const PackRay& ray, Found&& found) const {
+        TrianglePackOf::intersect<PackLanes>(ray, 0, found);
     }
 };
 

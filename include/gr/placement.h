@@ -8,18 +8,22 @@
 
 namespace gr {
 
-// Scales along the axes, then moves. The same bits as an AffineMap's, but for the sign of a zero.
-struct AlignedMap {
-    core::Vec3f scale, translation;
+// Scales along the axes, then moves. The same bits as an AffineMap's, but for the sign of a zero. Coefficient: float, or
+// a batch with another map in each lane.
+template<class Coefficient>
+struct AlignedMapOf {
+    core::Vec3<Coefficient> scale, translation;
 
     template<class Real>
     core::Vec3<Real> point(const core::Vec3<Real>& p) const {
-        return vector(p) + core::broadcast<Real>(translation);
+        return vector(p) + core::Vec3<Real>(Real(translation.x), Real(translation.y), Real(translation.z));
     }
     template<class Real>
     core::Vec3<Real> vector(const core::Vec3<Real>& v) const {
-        return v * core::broadcast<Real>(scale);
+        return v * core::Vec3<Real>(Real(scale.x), Real(scale.y), Real(scale.z));
     }
+};
+struct AlignedMap : AlignedMapOf<float> {
     operator core::Transform() const;
 };
 
@@ -47,9 +51,15 @@ public:
         const auto* general = std::get_if<const General*>(&place_);
         return general == nullptr ? 1 : (*general)->condition;
     }
+    bool isGeneral() const { return std::holds_alternative<const General*>(place_); }
     bool isInPlace() const { return std::holds_alternative<InPlace>(place_); }
     core::Transform worldFromObject() const;
     core::Transform objectFromWorld() const;
+    // Of one that is not general.
+    AlignedMap alignedObjectFromWorld() const {
+        const auto* aligned = std::get_if<Aligned>(&place_);
+        return aligned != nullptr ? aligned->objectFromWorld : AlignedMap{{core::Vec3f(1), core::Vec3f(0)}};
+    }
 
     template<class Real>
     core::Ray<Real> toObject(const core::Ray<Real>& ray) const {

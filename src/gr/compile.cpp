@@ -126,7 +126,7 @@ private:
             return m.x.y == 0 && m.x.z == 0 && m.y.x == 0 && m.y.z == 0 && m.z.x == 0 && m.z.y == 0;
         };
         const auto aligned = [](const core::Transform& m) -> AlignedMap {
-            return {{m.x.x, m.y.y, m.z.z}, m.translation};
+            return {{{m.x.x, m.y.y, m.z.z}, m.translation}};
         };
         if (isAligned(there) && isAligned(back)) return Placement::Aligned{aligned(there), aligned(back)};
         scene_.placements.push_back(std::make_unique<Placement::General>(

@@ -26,18 +26,10 @@ EmbreeLibrary load() {
     findIn("rtcReleaseDevice", functions.rtcReleaseDevice);
     findIn("rtcGetDeviceError", functions.rtcGetDeviceError);
     findIn("rtcSetDeviceMemoryMonitorFunction", functions.rtcSetDeviceMemoryMonitorFunction);
-    findIn("rtcNewScene", functions.rtcNewScene);
-    findIn("rtcReleaseScene", functions.rtcReleaseScene);
-    findIn("rtcCommitScene", functions.rtcCommitScene);
-    findIn("rtcAttachGeometry", functions.rtcAttachGeometry);
-    findIn("rtcNewGeometry", functions.rtcNewGeometry);
-    findIn("rtcReleaseGeometry", functions.rtcReleaseGeometry);
-    findIn("rtcCommitGeometry", functions.rtcCommitGeometry);
-    findIn("rtcSetGeometryUserData", functions.rtcSetGeometryUserData);
-    findIn("rtcSetGeometryUserPrimitiveCount", functions.rtcSetGeometryUserPrimitiveCount);
-    findIn("rtcSetGeometryBoundsFunction", functions.rtcSetGeometryBoundsFunction);
-    findIn("rtcSetGeometryIntersectFunction", functions.rtcSetGeometryIntersectFunction);
-    findIn("rtcIntersect1", functions.rtcIntersect1);
+    findIn("rtcNewBVH", functions.rtcNewBVH);
+    findIn("rtcReleaseBVH", functions.rtcReleaseBVH);
+    findIn("rtcBuildBVH", functions.rtcBuildBVH);
+    findIn("rtcThreadLocalAlloc", functions.rtcThreadLocalAlloc);
     return functions;
 }
 

@@ -1,0 +1,76 @@
+// What a tree's leaves hold: up to eight triangles of a mesh, or up to eight objects, those of a kind side by side, so
+// that one ray is tested against all of them at once.
+#pragma once
+
+#include "gr/accelerators/wide_tree.h"
+#include "gr/pack.h"
+#include "gr/scene.h"
+
+namespace gr {
+
+struct alignas(64) TriangleLeaf {
+    TrianglePackOf<treeWidth> triangles;
+    std::uint32_t triangle[treeWidth];  // the number of each in its mesh
+};
+
+// The start of a pack. The packs of a leaf lie one behind the other.
+struct alignas(64) ObjectPack {
+    std::uint32_t kind;  // which list entry of Shape, and whether it is placed by a general map: see kindOf
+    std::uint32_t count;
+    std::uint32_t bytesToNext;  // 0: this is the last one
+    std::uint32_t instance[treeWidth];
+};
+
+inline std::uint32_t kindOf(const Instance& instance) {
+    return 2 * static_cast<std::uint32_t>(instance.shape.index()) + (instance.place.isGeneral() ? 1 : 0);
+}
+
+// Meshes: each is asked by itself.
+struct MeshPack : ObjectPack {
+    const WideTree* tree[treeWidth];
+};
+
+// Objects of one shape. Map: how they are placed. Places behind the last one repeat it.
+template<class Shape, template<class> class Map>
+struct ShapePack : ObjectPack {
+    static constexpr int rows = sizeof(Map<float>) / sizeof(float);
+    alignas(32) float objectFromWorld[rows][treeWidth];
+
+    void set(int place, const Map<float>& map) {
+        for (int row = 0; row < rows; ++row)
+            objectFromWorld[row][place] = reinterpret_cast<const float*>(&map)[row];
+    }
+
+    // The t of those from place `first` on, as many as there are lanes, or infinity.
+    template<class Lanes>
+    Lanes intersect(const core::Ray<Lanes>& ray, int first) const {
+        Map<Lanes> map;
+        for (int row = 0; row < rows; ++row)
+            reinterpret_cast<Lanes*>(&map)[row] = Lanes::load_aligned(objectFromWorld[row] + first);
+        return Shape{}.template intersect<Lanes>({map.point(ray.origin), map.vector(ray.direction), ray.tMax});
+    }
+};
+
+// Calls f(pack) with the pack as what it is, a MeshPack or a ShapePack: one branch for each list entry of Shape.
+template<class Pack, class F>
+bool visitPack(Pack& pack, F&& f) {
+    const auto as = [&]<class Type>(std::type_identity<Type>) -> auto& {
+        return static_cast<std::conditional_t<std::is_const_v<Pack>, const Type, Type>&>(pack);
+    };
+    const auto visitShape = [&]<class S>(std::type_identity<S>) {
+        if constexpr (std::is_same_v<S, const Polyhedron*>)
+            return f(as(std::type_identity<MeshPack>()));
+        else if (pack.kind % 2 == 1)
+            return f(as(std::type_identity<ShapePack<S, core::AffineMap>>()));
+        else
+            return f(as(std::type_identity<ShapePack<S, AlignedMapOf>>()));
+    };
+    bool result = false;
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+        ((pack.kind / 2 == i && (result = visitShape(std::type_identity<std::variant_alternative_t<i, Shape>>()), true)) ||
+         ...);
+    }(std::make_index_sequence<std::variant_size_v<Shape>>());
+    return result;
+}
+
+}  // namespace gr

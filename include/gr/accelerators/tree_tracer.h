@@ -1,0 +1,134 @@
+// What one ray meets in the trees. To be compiled for each instruction set: Lanes are 4 or 8 floats, the boxes,
+// triangles or shapes that it is tested against at once.
+#pragma once
+
+#include "gr/accelerators/object_pack.h"
+#include "gr/accelerators/tree_accelerator.h"
+#include "gr/accelerators/wide_tree_walk.h"
+
+namespace gr {
+
+template<class Lanes>
+class TreeTracer {
+public:
+    TreeTracer(const TreeAccelerator& tree, TraversalCounts& counts)
+        : scene_(tree.scene()), objects_(tree.objects()), counts_(counts) {}
+
+    // Replaces `nearest` by what comes before it. Its t must not be beyond the ray's end.
+    void nearest(const core::Rayf& ray, Hit& nearest) const {
+        const core::Ray<Lanes> lanesRay = everywhere(ray);
+        forEachPack(ray, nearest.t, [&](const auto& pack) {
+            if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
+                nearestInMeshes(ray, pack, nearest);
+            else
+                nearestOf(lanesRay, pack, nearest);
+            return false;
+        });
+    }
+
+    bool occluded(const core::Rayf& ray) const {
+        const core::Ray<Lanes> lanesRay = everywhere(ray);
+        return forEachPack(ray, ray.tMax, [&](const auto& pack) {
+            if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
+                return isMeshMet(ray, pack);
+            else
+                return isAnyMet(lanesRay, pack);
+        });
+    }
+
+private:
+    static constexpr int width = static_cast<int>(Lanes::size);
+    using MeshRay = TriangleRay<Lanes, UniformAxes>;
+
+    static core::Ray<Lanes> everywhere(const core::Rayf& ray) {
+        return {core::broadcast<Lanes>(ray.origin), core::broadcast<Lanes>(ray.direction), Lanes(ray.tMax)};
+    }
+
+    static BoxRay<Lanes> boxRay(const WideTree& tree, const core::Rayf& ray) {
+        return {ray, tree.slack(core::largestComponent(ray.origin))};
+    }
+
+    // Calls visit(pack) for the packs in the leaves near the ray, until it returns true; returns whether it did.
+    template<class Visit>
+    bool forEachPack(const core::Rayf& ray, const float& nearest, Visit&& visit) const {
+        return walkTree(objects_.root(), boxRay(objects_, ray), nearest, [&](const void* leaf) {
+            const auto* pack = static_cast<const ObjectPack*>(leaf);
+            for (;;) {
+                counts_.tests += pack->count;
+                if (visitPack(*pack, visit)) return true;
+                if (pack->bytesToNext == 0) return false;
+                pack = reinterpret_cast<const ObjectPack*>(reinterpret_cast<const char*>(pack) + pack->bytesToNext);
+            }
+        });
+    }
+
+    // Calls offer(hit) for those of the hits that may come before the nearest.
+    template<class Offer>
+    static void forEachNear(const Lanes& found, const float& nearest, Offer&& offer) {
+        const std::uint32_t near = core::bitsOf(found <= Lanes(nearest));
+        if (near == 0) return;
+        const core::LaneArray<Lanes> t(found);
+        core::forEachLane(near, [&](int lane) { offer(lane, t[lane]); });
+    }
+
+    template<class Pack>
+    static void nearestOf(const core::Ray<Lanes>& ray, const Pack& pack, Hit& nearest) {
+        for (int first = 0; first < static_cast<int>(pack.count); first += width)
+            forEachNear(pack.template intersect<Lanes>(ray, first), nearest.t, [&](int lane, float t) {
+                const Hit hit{t, pack.instance[first + lane]};
+                if (t < core::infinity && hit.isBefore(nearest)) nearest = hit;
+            });
+    }
+    template<class Pack>
+    static bool isAnyMet(const core::Ray<Lanes>& ray, const Pack& pack) {
+        for (int first = 0; first < static_cast<int>(pack.count); first += width)
+            if (core::any(pack.template intersect<Lanes>(ray, first) < Lanes(core::infinity))) return true;
+        return false;
+    }
+
+    void nearestInMeshes(const core::Rayf& worldRay, const MeshPack& pack, Hit& nearest) const {
+        for (std::uint32_t i = 0; i < pack.count; ++i) {
+            const core::Rayf ray = scene_.instances[pack.instance[i]].place.toObject(worldRay);
+            const MeshRay meshRay{TriangleRay<float>(ray)};
+            walkTree(pack.tree[i]->root(), boxRay(*pack.tree[i], ray), nearest.t, [&](const void* at) {
+                const auto& leaf = *static_cast<const TriangleLeaf*>(at);
+                counts_.tests += treeWidth;
+                for (int first = 0; first < treeWidth; first += width)
+                    leaf.triangles.intersect(meshRay, first, [&](const TriangleHit<Lanes>& found) {
+                        forEachNear(found.t, nearest.t, [&](int lane, float t) {
+                            const core::LaneArray<Lanes> b1(found.b1), b2(found.b2);
+                            const Hit hit{t, pack.instance[i], leaf.triangle[first + lane], b1[lane], b2[lane]};
+                            if (t < core::infinity && hit.isBefore(nearest)) nearest = hit;
+                        });
+                    });
+                return false;
+            });
+        }
+    }
+    bool isMeshMet(const core::Rayf& worldRay, const MeshPack& pack) const {
+        for (std::uint32_t i = 0; i < pack.count; ++i) {
+            const core::Rayf ray = scene_.instances[pack.instance[i]].place.toObject(worldRay);
+            const MeshRay meshRay{TriangleRay<float>(ray)};
+            if (walkTree(pack.tree[i]->root(), boxRay(*pack.tree[i], ray), ray.tMax, [&](const void* at) {
+                    counts_.tests += treeWidth;
+                    return isLeafMet(meshRay, *static_cast<const TriangleLeaf*>(at));
+                }))
+                return true;
+        }
+        return false;
+    }
+    static bool isLeafMet(const MeshRay& ray, const TriangleLeaf& leaf) {
+        bool isMet = false;
+        for (int first = 0; first < treeWidth && !isMet; first += width)
+            leaf.triangles.intersect(ray, first, [&](const TriangleHit<Lanes>& found) {
+                isMet = core::any(found.t < Lanes(core::infinity));
+            });
+        return isMet;
+    }
+
+    const Scene& scene_;
+    const WideTree& objects_;
+    TraversalCounts& counts_;
+};
+
+}  // namespace gr

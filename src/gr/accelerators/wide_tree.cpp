@@ -1,0 +1,125 @@
+#include "gr/accelerators/wide_tree.h"
+
+#include "core/parallel.h"
+#include "gr/embree_library.h"
+#include "gr/parts.h"
+
+#include <array>
+#include <bit>
+#include <limits>
+
+namespace gr {
+
+using core::Bounds;
+using core::Vec3f;
+
+namespace {
+
+const EmbreeLibrary& embree() {
+    return EmbreeLibrary::get();
+}
+
+// The power of two below a positive number.
+float powerOfTwo(float x) {
+    const float power = std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7f800000u);
+    return std::max(power, std::numeric_limits<float>::min());
+}
+
+// What Embree's builder calls to make nodes and leaves, from any thread. It knows a child by its reference's bits.
+struct Builder {
+    const WideTree::MakeLeaf& makeLeaf;
+    float unit;  // of Embree's coordinates, in ours
+
+    static const Builder& from(void* user) { return *static_cast<const Builder*>(user); }
+
+    static void* createNode(RTCThreadLocalAllocator allocator, unsigned, void*) {
+        auto* node = static_cast<TreeNode*>(embree().rtcThreadLocalAlloc(allocator, sizeof(TreeNode), 64));
+        for (auto& axis : node->side) {
+            std::fill(axis[0], axis[0] + treeWidth, core::infinity);
+            std::fill(axis[1], axis[1] + treeWidth, -core::infinity);
+        }
+        std::fill(node->child, node->child + treeWidth, TreeReference());
+        return node;
+    }
+
+    static void setChildren(void* node, void** children, unsigned count, void*) {
+        for (unsigned i = 0; i < count; ++i)
+            static_cast<TreeNode*>(node)->child[i] = std::bit_cast<TreeReference>(children[i]);
+    }
+
+    static void setBounds(void* node, const RTCBounds** bounds, unsigned count, void* user) {
+        const float unit = from(user).unit;
+        auto& side = static_cast<TreeNode*>(node)->side;
+        for (unsigned i = 0; i < count; ++i) {
+            const RTCBounds& b = *bounds[i];
+            const float low[3] = {b.lower_x, b.lower_y, b.lower_z}, high[3] = {b.upper_x, b.upper_y, b.upper_z};
+            for (int axis = 0; axis < 3; ++axis) {
+                side[axis][0][i] = low[axis] * unit;
+                side[axis][1][i] = high[axis] * unit;
+            }
+        }
+    }
+
+    static void* createLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t count,
+                            void* user) {
+        std::array<std::uint32_t, treeWidth> items;
+        for (std::size_t i = 0; i < count; ++i) items[i] = primitives[i].primID;
+        const auto allocate = [&](std::size_t bytes) { return embree().rtcThreadLocalAlloc(allocator, bytes, 64); };
+        const TreeReference leaf(from(user).makeLeaf({items.data(), count}, allocate), TreeReference::leaf);
+        return std::bit_cast<void*>(leaf);
+    }
+};
+
+}  // namespace
+
+WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const BoundsOf& boundsOf, const MakeLeaf& makeLeaf,
+                   float errorPerUnit, int threads)
+    : errorPerUnit_(errorPerUnit) {
+    if (count == 0) return;
+    for (const Bounds& part : ofParts<Bounds>(static_cast<int>(count), threads, [&](int first, int end) {
+             Bounds box;
+             for (int i = first; i < end; ++i) box.include(boundsOf(static_cast<std::uint32_t>(i)));
+             return box;
+         }))
+        bounds_.include(part);
+    reach_ = bounds_.reach();
+
+    // Embree multiplies sizes, so it is given them as about 1. Powers of two round nothing.
+    const float unit = powerOfTwo(reach_);
+    std::vector<RTCBuildPrimitive> primitives(count);
+    inParts(static_cast<int>(count), threads, [&](int first, int end) {
+        for (int i = first; i < end; ++i) {
+            const Bounds box = boundsOf(static_cast<std::uint32_t>(i));
+            const Vec3f low = box.low * (1 / unit), high = box.high * (1 / unit);
+            primitives[i] = {low.x, low.y, low.z, 0, high.x, high.y, high.z, static_cast<unsigned>(i)};
+        }
+    });
+
+    Builder builder{makeLeaf, unit};
+    bvh_ = embree().rtcNewBVH(device.get());
+    RTCBuildArguments arguments = rtcDefaultBuildArguments();
+    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+    arguments.maxBranchingFactor = treeWidth;
+    arguments.maxDepth = mostTreeDepth;
+    arguments.sahBlockSize = treeWidth;
+    arguments.maxLeafSize = treeWidth;
+    arguments.bvh = bvh_;
+    arguments.primitives = primitives.data();
+    arguments.primitiveCount = count;
+    arguments.primitiveArrayCapacity = count;
+    arguments.createNode = Builder::createNode;
+    arguments.setNodeChildren = Builder::setChildren;
+    arguments.setNodeBounds = Builder::setBounds;
+    arguments.createLeaf = Builder::createLeaf;
+    arguments.userPtr = &builder;
+    // Embree, too, runs on TBB: as many threads as are allowed here.
+    core::parallelFor(1, threads,
+                      [&](int) { root_ = std::bit_cast<TreeReference>(embree().rtcBuildBVH(&arguments)); });
+    device.check();
+}
+
+WideTree::~WideTree() {
+    if (bvh_ != nullptr) embree().rtcReleaseBVH(bvh_);
+}
+
+}  // namespace gr
