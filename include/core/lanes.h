@@ -107,6 +107,14 @@ UInt<Real> loadUInt(const std::uint32_t* row) {
         return UInt<Real>::load_unaligned(row);
 }
 
+template<class Real>
+void storeUInt(const UInt<Real>& numbers, std::uint32_t* row) {
+    if constexpr (laneCount<Real> == 1)
+        *row = numbers;
+    else
+        numbers.store_unaligned(row);
+}
+
 // Whole numbers below 2^24 as Reals, and back.
 inline float toReal(std::uint32_t i) {
     return static_cast<float>(i);
@@ -121,6 +129,48 @@ inline std::uint32_t toUInt(float x) {
 template<class Arch>
 xsimd::batch<std::uint32_t, Arch> toUInt(const xsimd::batch<float, Arch>& x) {
     return xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(xsimd::to_int(x));
+}
+
+// The same bits as a number of the other kind: whole numbers go through select and gather as Reals, which never looks at
+// what they are.
+inline float bitsAsReal(std::uint32_t i) {
+    return std::bit_cast<float>(i);
+}
+inline std::uint32_t bitsAsUInt(float x) {
+    return std::bit_cast<std::uint32_t>(x);
+}
+template<class Arch>
+xsimd::batch<float, Arch> bitsAsReal(const xsimd::batch<std::uint32_t, Arch>& i) {
+    return xsimd::bitwise_cast<xsimd::batch<float, Arch>>(i);
+}
+template<class Arch>
+xsimd::batch<std::uint32_t, Arch> bitsAsUInt(const xsimd::batch<float, Arch>& x) {
+    return xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(x);
+}
+// Comparisons of whole numbers.
+inline bool isLess(std::uint32_t a, std::uint32_t b) {
+    return a < b;
+}
+template<class Arch>
+xsimd::batch_bool<float, Arch> isLess(const xsimd::batch<std::uint32_t, Arch>& a,
+                                      const xsimd::batch<std::uint32_t, Arch>& b) {
+    using UInt = xsimd::batch<std::uint32_t, Arch>;
+    const UInt one(std::bit_cast<std::uint32_t>(1.f));
+    return bitsAsReal(UInt(xsimd::select(a < b, one, UInt(0)))) != xsimd::batch<float, Arch>(0.f);
+}
+template<class Real>
+UInt<Real> selectUInt(const Mask<Real>& mask, const UInt<Real>& yes, const UInt<Real>& no) {
+    return bitsAsUInt(select(mask, bitsAsReal(yes), bitsAsReal(no)));
+}
+
+// The lower 16 bits as a whole number with a sign.
+inline float signedHalf(std::uint32_t i) {
+    return static_cast<float>(static_cast<std::int16_t>(i & 0xffff));
+}
+template<class Arch>
+xsimd::batch<float, Arch> signedHalf(const xsimd::batch<std::uint32_t, Arch>& i) {
+    using Int = xsimd::batch<std::int32_t, Arch>;
+    return xsimd::to_float((xsimd::bitwise_cast<Int>(i) << 16) >> 16);
 }
 
 // table[index], for each lane. Every lane's index must be within the table, whether it counts or not.

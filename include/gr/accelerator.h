@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace gr {
 
@@ -56,23 +57,27 @@ public:
     }
 };
 
+// The instances that an accelerator is for, by their indices.
+using Objects = std::span<const std::uint32_t>;
+
 // Tests every object. The scene must outlive what is made for it, here and below.
-std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene);
+std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene, Objects objects);
+std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene);  // for all of its objects
 // The report's two-level uniform grid. threads: to build it with; 0: all cores.
-std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, int threads);
+std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, Objects objects, int threads);
 // The same where it is at its best: where nearly each object has a cell for itself, as in a lattice. Else null.
-std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, int threads);
-// Embree's tree of boxes. Throws core::Error where Embree cannot be loaded.
-std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads);
+std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, Objects objects, int threads);
+// Trees of boxes, built by Embree. Throws core::Error where Embree cannot be loaded.
+std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, Objects objects, int threads);
 bool isEmbreeInstalled();
 
-// Of the three the one that is fastest for the scene; it says why. manyRays: where all objects are tested, it is for
-// many rays at once.
-std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, int threads, bool manyRays = false);
+// Of the three the one that is fastest for the objects; it says why. manyRays: many rays at once are tested.
+std::unique_ptr<Accelerator> makeFastestAccelerator(const Scene& scene, Objects objects, int threads, bool manyRays);
 
 // What an accelerator may be called.
 std::span<const core::Word> acceleratorNames();
-// name: one of them. manyRays: see makeFastestAccelerator.
+// name: one of them. manyRays: it is for gr::Tracer, which tests many rays at once, and the flat faces of a scene by
+// itself; else for one ray at a time and for all objects.
 std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads, bool manyRays = false);
 
 }  // namespace gr

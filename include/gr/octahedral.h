@@ -26,15 +26,19 @@ inline PackedNormal packNormal(const core::Vec3f& normal) {
     return static_cast<PackedNormal>(quantised(u)) << 16 | quantised(v);
 }
 
+template<class Real>
+core::Vec3<Real> unpackNormal(const core::UInt<Real>& packed) {
+    const Real zero(0), one(1);
+    const Real u = core::signedHalf(packed >> 16) / Real(32767), v = core::signedHalf(packed) / Real(32767);
+    const Real z = one - core::abs(u) - core::abs(v);
+    const Real foldedU = one - core::abs(v), foldedV = one - core::abs(u);
+    const core::Mask<Real> isFolded = z < zero;
+    return glm::normalize(core::Vec3<Real>(
+        core::select(isFolded, core::select(u < zero, -foldedU, foldedU), u),
+        core::select(isFolded, core::select(v < zero, -foldedV, foldedV), v), z));
+}
 inline core::Vec3f unpackNormal(PackedNormal packed) {
-    const float u = static_cast<float>(static_cast<std::int16_t>(packed >> 16)) / 32767;
-    const float v = static_cast<float>(static_cast<std::int16_t>(packed & 0xffff)) / 32767;
-    core::Vec3f normal(u, v, 1 - std::abs(u) - std::abs(v));
-    if (normal.z < 0) {
-        normal.x = std::copysign(1 - std::abs(v), u);
-        normal.y = std::copysign(1 - std::abs(u), v);
-    }
-    return glm::normalize(normal);
+    return unpackNormal<float>(packed);
 }
 
 }  // namespace gr

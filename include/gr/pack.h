@@ -1,5 +1,4 @@
 // Things of one kind side by side, a lane each, so that one ray is tested against a whole pack in one go.
-// For baseline code only: in a file compiled for a wider instruction set the types would be others.
 #pragma once
 
 #include "core/transform.h"
@@ -11,9 +10,8 @@
 namespace gr {
 
 // As many lanes as the least processor has.
-using PackLanes = xsimd::batch<float>;
 inline constexpr int packWidth = 4;
-static_assert(PackLanes::size == packWidth);
+using PackLanes = xsimd::make_sized_batch_t<float, packWidth>;
 
 // The lanes, to be looked at one by one.
 struct LaneValues {

@@ -13,7 +13,9 @@
 
 namespace gr {
 
-struct Hit;
+template<class Real>
+struct HitOf;
+using Hit = HitOf<float>;
 struct PackRay;
 template<class Real>
 struct ShapePoint;
@@ -71,12 +73,15 @@ public:
     bool occluded(const PackRay& ray, std::uint32_t pack) const;
     std::size_t packCount() const;
     core::Bounds packBounds(std::uint32_t pack) const;
-    ShapePoint<float> surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const;
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const HitOf<Real>& hit,
+                               const core::Vec3<Real>& margin) const;  // polyhedron_surface.h
 
     // Whether it has normals of its own for shading,
     bool hasNormals() const { return !normals_.empty(); }
     // and the one at a hit, outwards, not of unit length; it may be 0.
-    core::Vec3f shadingNormal(const Hit& hit) const;
+    template<class Real>
+    core::Vec3<Real> shadingNormal(const HitOf<Real>& hit) const;  // likewise
 
     core::Bounds bounds() const { return bounds_; }
     float extent() const { return bounds_.reach(); }  // the largest coordinate
@@ -86,6 +91,9 @@ public:
     std::size_t bytes() const;
 
 private:
+    template<class Real>
+    core::Vec3<Real> cornerOf(const core::UInt<Real>& triangle, int corner) const;
+
     Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles);
     void setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gr/accelerator.h"
+#include "gr/face_list.h"
 #include "gr/light.h"
 #include "gr/placement.h"
 #include "gr/shape.h"
@@ -129,6 +130,10 @@ public:
     std::vector<AreaLight> areaLights;
     std::vector<PointLight> pointLights;
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
+    // What many rays at once are tested against, one after the other: the flat faces, if there are few, and some objects
+    // that are about as large as all others together. The others are for the accelerator. Indices of instances.
+    FaceList faces;
+    std::vector<std::uint32_t> large, bodies;
 
     SurfacePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
     std::size_t objectCount() const;  // shapes, and the triangles of meshes

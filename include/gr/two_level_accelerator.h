@@ -23,21 +23,25 @@ public:
     // starts at the origin; one that starts or hits at distance x from there may be off by errorPerUnit * x more.
     using Make = std::function<std::unique_ptr<Index>(std::uint32_t count, BoundsOf boundsOf, float errorPerUnit)>;
 
-    TwoLevelAccelerator(const Scene& scene, const Make& make) : scene_(scene) {
+    TwoLevelAccelerator(const Scene& scene, Objects objects, const Make& make)
+        : scene_(scene), instances_(objects.begin(), objects.end()) {
         objects_ = make(
-            static_cast<std::uint32_t>(scene.instances.size()),
-            [&scene](std::uint32_t i) { return scene.instances[i].bounds(); }, largestErrorPerUnit());
-        for (const auto& polyhedron : scene.polyhedra)
-            if (polyhedron->triangleCount() > mostTrianglesWithoutIndex)
-                meshes_.emplace(polyhedron.get(), make(static_cast<std::uint32_t>(polyhedron->packCount()),
-                                                       packBounds(*polyhedron), triangleErrorPerUnit));
+            static_cast<std::uint32_t>(objects.size()),
+            [&](std::uint32_t i) { return scene.instances[objects[i]].bounds(); }, largestErrorPerUnit());
+        for (const std::uint32_t i : objects) {
+            const auto* mesh = std::get_if<const Polyhedron*>(&scene.instances[i].shape);
+            if (mesh != nullptr && (*mesh)->triangleCount() > mostTrianglesWithoutIndex && !meshes_.contains(*mesh))
+                meshes_.emplace(*mesh, make(static_cast<std::uint32_t>((*mesh)->packCount()), packBounds(**mesh),
+                                            triangleErrorPerUnit));
+        }
     }
 
     std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const override {
         Hit nearest;
         float reach = ray.tMax;
-        objects_->walk(ray, reach, counts, [&](std::uint32_t i) {
+        objects_->walk(ray, reach, counts, [&](std::uint32_t item) {
             ++counts.tests;
+            const std::uint32_t i = instances_[item];
             const Instance& instance = scene_.instances[i];
             const core::Rayf objectRay = instance.place.toObject(ray);
             const auto test = [&](const auto& shape) { intersectShape(shape, objectRay, i, nearest, reach, counts); };
@@ -50,9 +54,9 @@ public:
 
     bool occluded(const core::Rayf& ray, TraversalCounts& counts) const override {
         bool isMet = false;
-        objects_->walk(ray, ray.tMax, counts, [&](std::uint32_t i) {
+        objects_->walk(ray, ray.tMax, counts, [&](std::uint32_t item) {
             ++counts.tests;
-            const Instance& instance = scene_.instances[i];
+            const Instance& instance = scene_.instances[instances_[item]];
             const core::Rayf objectRay = instance.place.toObject(ray);
             const auto test = [&](const auto& shape) { return isHit(shape, objectRay, counts); };
             isMet = std::visit(test, instance.shape);
@@ -132,6 +136,7 @@ private:
     }
 
     const Scene& scene_;
+    std::vector<std::uint32_t> instances_;  // that the items of objects_ are
     std::unique_ptr<Index> objects_;
     std::unordered_map<const Polyhedron*, std::unique_ptr<Index>> meshes_;
 };

@@ -18,7 +18,7 @@ class LaneLights {
     using Draw = core::Vec2<Real>;
 
 public:
-    LaneLights(const PathSetup& setup, const LaneTracer<Real>& tracer)
+    LaneLights(const PathSetup& setup, const gr::Tracer<Real>& tracer)
         : setup_(setup), scene_(setup.scene), tracer_(tracer) {}
 
     // What the lights' fronts send along the rays that have met them, as far as it is for the rays to bring.
@@ -119,7 +119,7 @@ private:
 
     const PathSetup& setup_;
     const PathScene& scene_;
-    const LaneTracer<Real>& tracer_;
+    const gr::Tracer<Real>& tracer_;
 };
 
 }  // namespace render

@@ -3,7 +3,7 @@
 
 #include "core/frame.h"
 #include "render/lane_media.h"
-#include "render/lane_tracer.h"
+#include "gr/tracer.h"
 #include "render/owen_sobol.h"
 
 namespace render {
@@ -45,14 +45,14 @@ struct Paths {
 template<class Real>
 struct ShadingPoints {
     const gr::Scene& scene;
-    const LaneSurface<Real>& surface;
+    const gr::SurfacePointOf<Real>& surface;
     std::uint32_t lanes;  // that are shaded
     core::Mask<Real> fromOutside;
     core::Vec3<Real> normal;
     core::Frame<Real> frame;
     core::Vec3<Real> wo;
 
-    ShadingPoints(const PathScene& scene, const core::Ray<Real>& ray, const LaneSurface<Real>& surface,
+    ShadingPoints(const PathScene& scene, const core::Ray<Real>& ray, const gr::SurfacePointOf<Real>& surface,
                   const core::Mask<Real>& shaded)
         : scene(scene.scene),
           surface(surface),

@@ -6,6 +6,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+
 namespace gr {
 namespace {
 
@@ -173,6 +175,45 @@ private:
     std::unordered_set<const Polyhedron*> polyhedra_;
 };
 
+// Half of a box's surface.
+double surface(const core::Bounds& box) {
+    const glm::dvec3 size = box.size();
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+// Takes the object with the largest box out of `bodies`, if it is a fair part of the box round all: in a tree nearly
+// every ray would have to be tested against it, too, but one by one. boxes: of the bodies. Returns whether it did.
+bool takeLargest(Scene& scene, std::vector<core::Bounds>& boxes) {
+    constexpr double fairPart = 0.125;
+    core::Bounds all;
+    double most = 0;
+    std::size_t largest = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        all.include(boxes[i]);
+        const bool isMesh = scene.instances[scene.bodies[i]].shape.index() == 0;
+        if (isMesh || surface(boxes[i]) <= most) continue;
+        most = surface(boxes[i]);
+        largest = i;
+    }
+    if (most == 0 || most < fairPart * surface(all)) return false;
+    scene.large.push_back(scene.bodies[largest]);
+    scene.bodies.erase(scene.bodies.begin() + static_cast<std::ptrdiff_t>(largest));
+    boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(largest));
+    return true;
+}
+
+void sortForManyRays(Scene& scene) {
+    constexpr std::size_t mostLarge = 12;
+    scene.faces = facesOf(scene);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+        if (scene.faces.isFlat.empty() || !scene.faces.isFlat[i]) scene.bodies.push_back(i);
+    std::vector<core::Bounds> boxes(scene.bodies.size());
+    std::transform(scene.bodies.begin(), scene.bodies.end(), boxes.begin(),
+                   [&](std::uint32_t i) { return scene.instances[i].bounds(); });
+    while (scene.large.size() < mostLarge && takeLargest(scene, boxes)) {}
+    std::sort(scene.large.begin(), scene.large.end());
+}
+
 }  // namespace
 
 Scene compile(const Database& database, std::string_view path, std::span<const std::string> lights) {
@@ -183,6 +224,7 @@ Scene compile(const Database& database, std::string_view path, std::span<const s
     checkMemory(top, objects.at(&top));
     Scene scene = Compiler(objects).compile(top);
     scene.pointLights = std::move(pointLights);
+    sortForManyRays(scene);
     return scene;
 }
 

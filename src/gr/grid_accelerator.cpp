@@ -7,8 +7,8 @@ namespace {
 
 class GridAccelerator final : public TwoLevelAccelerator<Grid> {
 public:
-    GridAccelerator(const Scene& scene, int threads)
-        : TwoLevelAccelerator(scene, [threads](std::uint32_t count, const BoundsOf& boundsOf, float errorPerUnit) {
+    GridAccelerator(const Scene& scene, Objects objects, int threads)
+        : TwoLevelAccelerator(scene, objects, [threads](std::uint32_t count, const BoundsOf& boundsOf, float errorPerUnit) {
               std::vector<core::Bounds> bounds(count);
               inParts(static_cast<int>(count), threads, [&](int first, int end) {
                   for (int i = first; i < end; ++i) bounds[i] = boundsOf(static_cast<std::uint32_t>(i));
@@ -16,7 +16,7 @@ public:
               return std::make_unique<Grid>(bounds, errorPerUnit, threads);
           }) {}
 
-    bool isEven(const Scene& scene) const { return meshes().empty() && objects().isEven(scene.instances.size()); }
+    bool isEven(std::size_t objectCount) const { return meshes().empty() && objects().isEven(objectCount); }
 
     std::size_t bytes() const override {
         std::size_t bytes = objects().bytes();
@@ -38,17 +38,17 @@ public:
 
 }  // namespace
 
-std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, int threads) {
+std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, Objects objects, int threads) {
     // What would be one cell is tested four objects at once.
     constexpr std::size_t few = 32;
-    if (scene.objectCount() <= few) return makeNoAccelerator(scene);
-    return std::make_unique<GridAccelerator>(scene, threads);
+    if (scene.objectCount() <= few) return makeNoAccelerator(scene, objects);
+    return std::make_unique<GridAccelerator>(scene, objects, threads);
 }
 
-std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, int threads) {
+std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, Objects objects, int threads) {
     if (!scene.polyhedra.empty()) return nullptr;
-    auto grid = std::make_unique<GridAccelerator>(scene, threads);
-    return grid->isEven(scene) ? std::move(grid) : nullptr;
+    auto grid = std::make_unique<GridAccelerator>(scene, objects, threads);
+    return grid->isEven(objects.size()) ? std::move(grid) : nullptr;
 }
 
 }  // namespace gr

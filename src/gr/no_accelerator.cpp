@@ -19,8 +19,8 @@ struct PacksOf<std::variant<const Polyhedron*, Shapes...>> {
 // four of a kind at once.
 class NoAccelerator final : public Accelerator {
 public:
-    explicit NoAccelerator(const Scene& scene) : scene_(scene) {
-        for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    NoAccelerator(const Scene& scene, Objects objects) : scene_(scene) {
+        for (const std::uint32_t i : objects)
             std::visit([&](auto shape) { add(i, shape); }, scene.instances[i].shape);
     }
 
@@ -161,8 +161,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene) {
-    return std::make_unique<NoAccelerator>(scene);
+std::unique_ptr<Accelerator> makeNoAccelerator(const Scene& scene, Objects objects) {
+    return std::make_unique<NoAccelerator>(scene, objects);
 }
 
 }  // namespace gr

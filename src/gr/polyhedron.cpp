@@ -114,12 +114,6 @@ void Polyhedron::setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>&
     if (!anyIsSmooth) normals_ = {};
 }
 
-core::Vec3f Polyhedron::shadingNormal(const Hit& hit) const {
-    const PackedNormal* corner = &normals_[3 * static_cast<std::size_t>(hit.triangle)];
-    return unpackNormal(corner[0]) * (1 - hit.b1 - hit.b2) + unpackNormal(corner[1]) * hit.b1 +
-           unpackNormal(corner[2]) * hit.b2;
-}
-
 Polyhedron::~Polyhedron() = default;
 
 core::Vec3f Polyhedron::vertex(std::uint32_t triangle, int corner) const {
@@ -168,32 +162,6 @@ bool Polyhedron::occluded(const PackRay& ray) const {
     for (std::uint32_t pack = 0; pack < packCount(); ++pack)
         if (occluded(ray, pack)) return true;
     return false;
-}
-
-namespace {
-
-float lengthSquared(const core::Vec3f& v) {
-    return glm::dot(v, v);
-}
-
-}  // namespace
-
-ShapePoint<float> Polyhedron::surfaceAt(const core::Rayf& ray, const Hit& hit, const core::Vec3f& margin) const {
-    const core::Vec3f a = vertex(hit.triangle, 0);
-    const core::Vec3f b = vertex(hit.triangle, 1);
-    const core::Vec3f c = vertex(hit.triangle, 2);
-    // In double precision: in single, a thin triangle's would be turned along it by more than the offset allows for.
-    const core::Vec3f normal(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
-    // A vertex's weight is the distance from the edge opposite over the height above it; the smallest height stands on
-    // the longest edge. To be clear of the face beyond an edge takes 1 / sin(angle) times the margin where they meet at
-    // an acute angle: 4 is enough for 15 degrees.
-    const float longest = std::max({lengthSquared(b - a), lengthSquared(c - b), lengthSquared(a - c)});
-    const float least = core::min(4 * std::sqrt(lengthSquared(margin) * longest / lengthSquared(normal)), 0.25f);
-    const float b0 = std::max(1 - hit.b1 - hit.b2, least);
-    const float b1 = std::max(hit.b1, least);
-    const float b2 = std::max(hit.b2, least);
-    const core::Vec3f position = (a * b0 + b * b1 + c * b2) / (b0 + b1 + b2);
-    return {position, normal, glm::dot(ray.direction, normal) < 0};
 }
 
 }  // namespace gr

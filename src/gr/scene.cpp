@@ -1,5 +1,7 @@
 #include "gr/scene.h"
 
+#include "gr/polyhedron_surface.h"
+
 namespace gr {
 
 core::Vec3f SurfacePoint::tangent() const {
@@ -12,7 +14,7 @@ namespace {
 // which side of a face something is on.
 [[gnu::noinline]] void setSmoothNormal(SurfacePoint& surface, const Polyhedron& polyhedron, const Hit& hit,
                                        const core::Vec3f& direction, bool front) {
-    const core::Vec3f objectNormal = polyhedron.shadingNormal(hit);
+    const core::Vec3f objectNormal = polyhedron.shadingNormal<float>(hit);
     const core::Vec3f normal = glm::normalize(surface.instance->place.objectFromWorld().transposed(objectNormal));
     if (!(glm::dot(normal, surface.normal) > 0)) return;
     surface.smoothNormal = facing<float>(normal, direction, front);
@@ -27,7 +29,7 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     const PlacedPoint<float> point = placed(instance, ray, hit.t, [&](const core::Rayf& objectRay, const auto& margin) {
         const auto inObjectSpace = [&](const auto& shape) {
             if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, const Polyhedron*>)
-                return shape->surfaceAt(objectRay, hit, margin);
+                return shape->template surfaceAt<float>(objectRay, hit, margin);
             else
                 return shape.surfaceAt(objectRay, hit.t, margin);
         };
@@ -61,6 +63,8 @@ std::size_t Scene::bytes() const {
                         materials.capacity() * sizeof(materials::Material) + areaLights.capacity() * sizeof(AreaLight) +
                         pointLights.capacity() * sizeof(PointLight);
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
+    bytes += (faces.parallelograms.capacity() + faces.triangles.capacity()) * sizeof(Face) +
+             (large.capacity() + bodies.capacity()) * sizeof(std::uint32_t);
     return bytes;
 }
 

@@ -31,7 +31,7 @@ template<class Real>
 class PathIntegrator final : public Integrator {
 public:
     explicit PathIntegrator(PathSetup&& setup)
-        : setup_(std::move(setup)), scene_(setup_.scene), tracer_(setup_.scene), lights_(setup_, tracer_) {}
+        : setup_(std::move(setup)), scene_(setup_.scene), tracer_(scene_.scene, scene_.accelerator, scene_.hasAnisotropy), lights_(setup_, tracer_) {}
 
     std::size_t bytes() const override { return scene_.bytes(); }
 
@@ -115,7 +115,8 @@ private:
     void goOn(Paths<Real>& paths, const Camera& camera, Samples& samples) const {
         RayCounts& rays = samples.rays;
         // Find the nearest surface; a path that leaves the scene ends in the background.
-        const LaneSurface<Real> surface = tracer_.nearest(paths.ray, paths.alive, rays.traversal);
+        const gr::HitOf<Real> hit = tracer_.nearest(paths.ray, paths.alive, rays.traversal);
+        const gr::SurfacePointOf<Real> surface = tracer_.surfaceAt(paths.ray, hit);
         const Mask<Real> isMet = paths.alive & surface.isMet();
         const ShadingPoints<Real> points(scene_, paths.ray, surface, isMet & (surface.light < Real(0)));
         if (!samples.first.empty()) tellFirst(paths, points, camera.depth(paths.ray, surface.t), isMet, samples);
@@ -269,7 +270,7 @@ private:
 
     const PathSetup setup_;
     const PathScene& scene_;
-    const LaneTracer<Real> tracer_;
+    const gr::Tracer<Real> tracer_;
     const LaneLights<Real> lights_;
 };
 

@@ -36,9 +36,9 @@ inline std::string text(const std::optional<Hit>& hit) {
 // The accelerators over one scene. What disagreed fails the test at the end.
 class SameHits {
 public:
-    explicit SameHits(const Scene& scene) : off_(makeNoAccelerator(scene)) {
-        grid_ = others_.emplace_back("grid", makeGridAccelerator(scene, 2)).second.get();
-        others_.emplace_back("embree", makeEmbreeAccelerator(scene, 2));
+    explicit SameHits(const Scene& scene) : off_(makeAccelerator("off", scene, 2)) {
+        grid_ = others_.emplace_back("grid", makeAccelerator("grid", scene, 2)).second.get();
+        others_.emplace_back("embree", makeAccelerator("embree", scene, 2));
     }
     SameHits(const SameHits&) = delete;
     SameHits& operator=(const SameHits&) = delete;

@@ -3,6 +3,7 @@
 #include "gr/error_of.h"
 #include "gr/mesh_import.h"
 #include "gr/mesh_text.h"
+#include "gr/polyhedron_surface.h"
 #include "gr/scene.h"
 #include "support/test_random.h"
 
@@ -142,7 +143,7 @@ TEST_F(MeshFileTest, AFileThatHasChangedIsReadAgain) {
 TEST_F(MeshFileTest, NormalsAreKeptWhereTheyAreNotTheFaces) {
     const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
     const auto normal = [](const Polyhedron& mesh, float b1, float b2) {
-        return glm::normalize(mesh.shadingNormal({.t = 1, .triangle = 0, .b1 = b1, .b2 = b2}));
+        return glm::normalize(mesh.shadingNormal<float>({.t = 1, .triangle = 0, .b1 = b1, .b2 = b2}));
     };
     const auto flat = read("flat.obj", square + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
     EXPECT_FALSE(flat->hasNormals());

@@ -2,6 +2,7 @@
 // fail for a missing, a doubled and a turned face, for two vertices that became one, and for missing and turned
 // normals.
 #include "gr/mesh_file.h"
+#include "gr/polyhedron_surface.h"
 #include "gr/shape.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ void expectGoodModel(const Polyhedron& mesh) {
     for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i) {
         const core::Vec3f a = mesh.vertex(i, 0), flat = glm::cross(mesh.vertex(i, 1) - a, mesh.vertex(i, 2) - a);
         for (const core::Vec2f b : {core::Vec2f(0, 0), core::Vec2f(1, 0), core::Vec2f(0, 1)})
-            against += glm::dot(mesh.shadingNormal({1, 0, i, b.x, b.y}), flat) < 0;
+            against += glm::dot(mesh.shadingNormal<float>({1, 0, i, b.x, b.y}), flat) < 0;
     }
     EXPECT_LT(against, mesh.triangleCount() / 300);
 }

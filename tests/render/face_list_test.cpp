@@ -1,7 +1,7 @@
 // The faces that lanes test one after the other, and which of them may stand in the way of light.
 // Seen to fail with triangles joined whatever their fourth corner, with every face taken for a wall that has nothing
 // behind it, with point lights left out of what lies behind, and with mirrored meshes not turned.
-#include "render/face_list.h"
+#include "gr/face_list.h"
 
 #include "gr/random_shapes.h"
 #include "render/test_scene.h"
@@ -17,14 +17,14 @@ struct Room : TestScene {
     void addShelf(double y) {
         addPolygon("shelf", {{-0.5, y, -0.5}, {-0.5, y, 0.5}, {0.5, y, 0.5}, {0.5, y, -0.5}}, core::Rgbf(0.5f));
     }
-    FaceList faces() const { return facesOf(gr::compile(database, ":", pointLights)); }
+    gr::FaceList faces() const { return facesOf(gr::compile(database, ":", pointLights)); }
 };
 
 TEST(FaceList, JoinsTrianglesToParallelograms) {
-    const FaceList faces = Room().faces();
+    const gr::FaceList faces = Room().faces();
     EXPECT_EQ(faces.parallelograms.size(), 6u);
     EXPECT_EQ(faces.triangles.size(), 0u);
-    for (const Face& face : faces.parallelograms) {
+    for (const gr::Face& face : faces.parallelograms) {
         EXPECT_FLOAT_EQ(glm::length(glm::cross(face.edge1, face.edge2)), 4);
         EXPECT_FLOAT_EQ(glm::dot(face.normal, face.corner), 1) << "outward, at distance 1";
         EXPECT_FLOAT_EQ(glm::dot(face.toU, face.edge1), 1);
@@ -37,7 +37,7 @@ TEST(FaceList, JoinsTrianglesToParallelograms) {
 TEST(FaceList, LeavesOtherTrianglesAsTheyAre) {
     TestScene kite;
     kite.addPolygon("kite", {{0, 0, 0}, {1, 0, 0}, {1.001, 1, 0}, {0, 1, 0}}, core::Rgbf(0.5f));
-    const FaceList faces = facesOf(gr::compile(kite.database, ":", {}));
+    const gr::FaceList faces = facesOf(gr::compile(kite.database, ":", {}));
     EXPECT_EQ(faces.parallelograms.size(), 0u);
     EXPECT_EQ(faces.triangles.size(), 2u);
 }
@@ -45,9 +45,9 @@ TEST(FaceList, LeavesOtherTrianglesAsTheyAre) {
 TEST(FaceList, KeepsNormalsOutwardWhereAMeshIsMirrored) {
     Room room;
     room.database.scale(":room", glm::dvec3(0), {1, -1, 2});
-    const FaceList faces = room.faces();
+    const gr::FaceList faces = room.faces();
     ASSERT_EQ(faces.size(), 6u);
-    for (const Face& face : faces.parallelograms) EXPECT_GT(glm::dot(face.normal, face.corner), 0.9f);
+    for (const gr::Face& face : faces.parallelograms) EXPECT_GT(glm::dot(face.normal, face.corner), 0.9f);
 }
 
 TEST(FaceList, WallsRoundEverythingDoNotBlock) {
@@ -59,7 +59,7 @@ TEST(FaceList, WallsRoundEverythingDoNotBlock) {
 TEST(FaceList, AFaceBlocksThatHasSomethingOnEitherSide) {
     Room room;
     room.addShelf(0.3);
-    const FaceList faces = room.faces();
+    const gr::FaceList faces = room.faces();
     ASSERT_EQ(faces.blockingParallelograms, 1u);
     EXPECT_FLOAT_EQ(faces.parallelograms[0].corner.y, 0.3f) << "they come first";
 }
@@ -67,7 +67,7 @@ TEST(FaceList, AFaceBlocksThatHasSomethingOnEitherSide) {
 TEST(FaceList, ALampUnderTheCeilingBlocks) {
     Room room;
     room.addAreaLight("lamp", core::Rgbf(1), {0, 0.999, 0}, 0.5);
-    const FaceList faces = room.faces();
+    const gr::FaceList faces = room.faces();
     ASSERT_EQ(faces.blockingParallelograms, 1u);
     EXPECT_EQ(faces.parallelograms[0].light, 0);
     EXPECT_EQ(faces.parallelograms[0].normal, core::Vec3f(0, -1, 0));

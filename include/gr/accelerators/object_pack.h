@@ -1,5 +1,5 @@
-// What a tree's leaves hold: up to eight triangles of a mesh, or up to eight objects, those of a kind side by side, so
-// that one ray is tested against all of them at once.
+// What a tree's leaves hold: up to eight triangles of a mesh, up to eight objects of a kind, side by side, so that one ray
+// is tested against all of them at once, or one instance of a mesh.
 #pragma once
 
 #include "gr/accelerators/wide_tree.h"
@@ -13,21 +13,20 @@ struct alignas(64) TriangleLeaf {
     std::uint32_t triangle[treeWidth];  // the number of each in its mesh
 };
 
-// The start of a pack. The packs of a leaf lie one behind the other.
 struct alignas(64) ObjectPack {
-    std::uint32_t kind;  // which list entry of Shape, and whether it is placed by a general map: see kindOf
+    std::uint32_t kind;  // which list entry of Shape, and whether any is placed by a general map: see packKind
     std::uint32_t count;
-    std::uint32_t bytesToNext;  // 0: this is the last one
     std::uint32_t instance[treeWidth];
 };
 
-inline std::uint32_t kindOf(const Instance& instance) {
-    return 2 * static_cast<std::uint32_t>(instance.shape.index()) + (instance.place.isGeneral() ? 1 : 0);
+inline std::uint32_t packKind(const Shape& shape, bool anyIsGeneral) {
+    return 2 * static_cast<std::uint32_t>(shape.index()) + (anyIsGeneral ? 1 : 0);
 }
 
-// Meshes: each is asked by itself.
+// One mesh.
 struct MeshPack : ObjectPack {
-    const WideTree* tree[treeWidth];
+    const WideTree* tree;
+    Placement place;
 };
 
 // Objects of one shape. Map: how they are placed. Places behind the last one repeat it.

@@ -12,7 +12,10 @@ namespace gr {
 
 class TreeAccelerator final : public Accelerator {
 public:
-    TreeAccelerator(const Scene& scene, int threads);
+    using Items = std::span<const std::uint32_t>;
+
+    // objects: the instances that it is for, by their indices.
+    TreeAccelerator(const Scene& scene, Items objects, int threads);
 
     std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const override;
     bool occluded(const core::Rayf& ray, TraversalCounts& counts) const override;
@@ -24,10 +27,9 @@ public:
     const WideTree& objects() const { return *objects_; }
 
 private:
-    using Items = std::span<const std::uint32_t>;
-
     void addMesh(const Polyhedron& mesh, int threads);
-    const void* makeLeaf(Items instances, const WideTree::Allocate& allocate) const;
+    TreeReference makeLeaf(Items items, Items objects, const WideTree::Allocate& allocate) const;
+    TreeReference makePack(Items instances, const WideTree::Allocate& allocate) const;
     void fill(MeshPack& pack) const;
     template<class S>
     void fill(ShapePack<S, AlignedMapOf>& pack) const;

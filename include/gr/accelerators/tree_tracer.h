@@ -15,24 +15,26 @@ public:
         : scene_(tree.scene()), objects_(tree.objects()), counts_(counts) {}
 
     // Replaces `nearest` by what comes before it. Its t must not be beyond the ray's end.
-    void nearest(const core::Rayf& ray, Hit& nearest) const {
-        const core::Ray<Lanes> lanesRay = everywhere(ray);
-        forEachPack(ray, nearest.t, [&](const auto& pack) {
+    void nearest(const core::Rayf& ray, Hit& found) const { nearest(ray, objectsRay(ray), found); }
+    bool occluded(const core::Rayf& ray) const { return occluded(ray, objectsRay(ray)); }
+
+    // boxRay: the ray made ready for the tree over the objects.
+    void nearest(const core::Rayf& ray, const BoxRay<Lanes>& boxRay, Hit& nearest) const {
+        forEachPack(boxRay, nearest.t, [&](const auto& pack) {
             if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
-                nearestInMeshes(ray, pack, nearest);
+                nearestInMesh(ray, pack, nearest);
             else
-                nearestOf(lanesRay, pack, nearest);
+                nearestOf(everywhere(ray), pack, nearest);
             return false;
         });
     }
 
-    bool occluded(const core::Rayf& ray) const {
-        const core::Ray<Lanes> lanesRay = everywhere(ray);
-        return forEachPack(ray, ray.tMax, [&](const auto& pack) {
+    bool occluded(const core::Rayf& ray, const BoxRay<Lanes>& boxRay) const {
+        return forEachPack(boxRay, ray.tMax, [&](const auto& pack) {
             if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
                 return isMeshMet(ray, pack);
             else
-                return isAnyMet(lanesRay, pack);
+                return isAnyMet(everywhere(ray), pack);
         });
     }
 
@@ -44,22 +46,21 @@ private:
         return {core::broadcast<Lanes>(ray.origin), core::broadcast<Lanes>(ray.direction), Lanes(ray.tMax)};
     }
 
-    static BoxRay<Lanes> boxRay(const WideTree& tree, const core::Rayf& ray) {
-        return {ray, tree.slack(core::largestComponent(ray.origin))};
+    BoxRay<Lanes> objectsRay(const core::Rayf& ray) const { return boxRay(objects_, ReadyRay(ray)); }
+    static BoxRay<Lanes> boxRay(const WideTree& tree, const ReadyRay& ray) {
+        const core::LaneArray<ReadyRay::Row> origin(core::abs(ray.origin));
+        return {ray, tree.slack(core::max(core::max(origin[0], origin[1]), origin[2]))};
     }
 
-    // Calls visit(pack) for the packs in the leaves near the ray, until it returns true; returns whether it did.
+    // Calls visit(pack) for the packs near the ray, until it returns true; returns whether it did.
     template<class Visit>
-    bool forEachPack(const core::Rayf& ray, const float& nearest, Visit&& visit) const {
-        return walkTree(objects_.root(), boxRay(objects_, ray), nearest, [&](const void* leaf) {
-            const auto* pack = static_cast<const ObjectPack*>(leaf);
-            for (;;) {
-                counts_.tests += pack->count;
-                if (visitPack(*pack, visit)) return true;
-                if (pack->bytesToNext == 0) return false;
-                pack = reinterpret_cast<const ObjectPack*>(reinterpret_cast<const char*>(pack) + pack->bytesToNext);
-            }
-        });
+    bool forEachPack(const BoxRay<Lanes>& ray, const float& nearest, Visit&& visit) const {
+        const auto visitLeaf = [&](const void* leaf) {
+            const auto& pack = *static_cast<const ObjectPack*>(leaf);
+            counts_.tests += pack.count;
+            return visitPack(pack, visit);
+        };
+        return walkTree(objects_.root(), ray, nearest, visitLeaf);
     }
 
     // Calls offer(hit) for those of the hits that may come before the nearest.
@@ -86,37 +87,34 @@ private:
         return false;
     }
 
-    void nearestInMeshes(const core::Rayf& worldRay, const MeshPack& pack, Hit& nearest) const {
-        for (std::uint32_t i = 0; i < pack.count; ++i) {
-            const core::Rayf ray = scene_.instances[pack.instance[i]].place.toObject(worldRay);
-            const MeshRay meshRay{TriangleRay<float>(ray)};
-            walkTree(pack.tree[i]->root(), boxRay(*pack.tree[i], ray), nearest.t, [&](const void* at) {
-                const auto& leaf = *static_cast<const TriangleLeaf*>(at);
-                counts_.tests += treeWidth;
-                for (int first = 0; first < treeWidth; first += width)
-                    leaf.triangles.intersect(meshRay, first, [&](const TriangleHit<Lanes>& found) {
-                        forEachNear(found.t, nearest.t, [&](int lane, float t) {
-                            const core::LaneArray<Lanes> b1(found.b1), b2(found.b2);
-                            const Hit hit{t, pack.instance[i], leaf.triangle[first + lane], b1[lane], b2[lane]};
-                            if (t < core::infinity && hit.isBefore(nearest)) nearest = hit;
-                        });
+    void nearestInMesh(const core::Rayf& worldRay, const MeshPack& pack, Hit& nearest) const {
+        const core::Rayf objectRay = pack.place.toObject(worldRay);
+        const ReadyRay ray(objectRay);
+        const MeshRay meshRay{TriangleRay<float>(objectRay)};
+        walkTree(pack.tree->root(), boxRay(*pack.tree, ray), nearest.t, [&](const void* at) {
+            const auto& leaf = *static_cast<const TriangleLeaf*>(at);
+            counts_.tests += treeWidth;
+            for (int first = 0; first < treeWidth; first += width)
+                leaf.triangles.intersect(meshRay, first, [&](const TriangleHit<Lanes>& found) {
+                    forEachNear(found.t, nearest.t, [&](int lane, float t) {
+                        const core::LaneArray<Lanes> b1(found.b1), b2(found.b2);
+                        const Hit hit{t, pack.instance[0], leaf.triangle[first + lane], b1[lane], b2[lane]};
+                        if (t < core::infinity && hit.isBefore(nearest)) nearest = hit;
                     });
-                return false;
-            });
-        }
+                });
+            return false;
+        });
     }
     bool isMeshMet(const core::Rayf& worldRay, const MeshPack& pack) const {
-        for (std::uint32_t i = 0; i < pack.count; ++i) {
-            const core::Rayf ray = scene_.instances[pack.instance[i]].place.toObject(worldRay);
-            const MeshRay meshRay{TriangleRay<float>(ray)};
-            if (walkTree(pack.tree[i]->root(), boxRay(*pack.tree[i], ray), ray.tMax, [&](const void* at) {
-                    counts_.tests += treeWidth;
-                    return isLeafMet(meshRay, *static_cast<const TriangleLeaf*>(at));
-                }))
-                return true;
-        }
-        return false;
+        const core::Rayf objectRay = pack.place.toObject(worldRay);
+        const ReadyRay ray(objectRay);
+        const MeshRay meshRay{TriangleRay<float>(objectRay)};
+        return walkTree(pack.tree->root(), boxRay(*pack.tree, ray), objectRay.tMax, [&](const void* at) {
+            counts_.tests += treeWidth;
+            return isLeafMet(meshRay, *static_cast<const TriangleLeaf*>(at));
+        });
     }
+
     static bool isLeafMet(const MeshRay& ray, const TriangleLeaf& leaf) {
         bool isMet = false;
         for (int first = 0; first < treeWidth && !isMet; first += width)

@@ -25,12 +25,14 @@ public:
     TreeReference() = default;
     TreeReference(const void* address, Kind kind) : bits_(reinterpret_cast<std::uintptr_t>(address) | kind) {}
 
-    explicit operator bool() const { return bits_ != 0; }
+    static TreeReference nothing() { return {nullptr, leaf}; }
+
     bool isLeaf() const { return (bits_ & leaf) != 0; }
+    // Null for nothing.
     const void* address() const { return reinterpret_cast<const void*>(bits_ & ~std::uintptr_t{leaf}); }
 
 private:
-    std::uintptr_t bits_ = 0;
+    std::uintptr_t bits_;
 };
 
 // How many boxes a node has, and how many things a leaf's pack.
@@ -40,18 +42,21 @@ inline constexpr int mostTreeDepth = 48;
 
 struct alignas(64) TreeNode {
     // [axis][side][child], side 0 being the low one. A child that is not there has its sides the wrong way round, so
-    // that no ray meets it.
+    // that no ray meets it, but one whose numbers are none or overflow.
     float side[3][2][treeWidth];
     TreeReference child[treeWidth];
+
+    void clear();
+    void set(int i, const core::Bounds& bounds, TreeReference reference);
 };
 static_assert(sizeof(TreeNode) == 256);
 
 class WideTree {
 public:
-    // The items of a leaf, at most treeWidth of them, put into memory that allocate(bytes) gives, at a multiple of 64.
-    // Called by many threads at once.
+    // A leaf of the items, at most treeWidth of them, or a node over leaves, put into memory that allocate(bytes) gives, at
+    // a multiple of 64. Called by many threads at once.
     using Allocate = std::function<void*(std::size_t bytes)>;
-    using MakeLeaf = std::function<const void*(std::span<const std::uint32_t> items, const Allocate& allocate)>;
+    using MakeLeaf = std::function<TreeReference(std::span<const std::uint32_t> items, const Allocate& allocate)>;
     using BoundsOf = std::function<core::Bounds(std::uint32_t)>;
 
     // boundsOf: of the items 0 to count - 1. They hold every point at which an item may be reported to be hit by a ray
@@ -76,7 +81,7 @@ public:
 
 private:
     RTCBVHTy* bvh_ = nullptr;  // owns nodes and leaves
-    TreeReference root_;
+    TreeReference root_ = TreeReference::nothing();
     core::Bounds bounds_;
     float errorPerUnit_, reach_ = 0;
 };

@@ -8,21 +8,53 @@
 
 namespace gr {
 
-// A ray made ready to be tested against boxes (Kay and Kajiya 1986), each of them larger by `slack` on all sides.
+// How many boxes are tested at once: all of a node's, if the processor can.
+#ifdef __AVX2__
+using TreeLanes = xsimd::make_sized_batch_t<float, treeWidth>;
+#else
+using TreeLanes = xsimd::batch<float>;
+#endif
+
+// A ray with what the tests of boxes and triangles divide by, its coordinates side by side, to be computed at once.
+struct ReadyRay {
+    using Row = xsimd::make_sized_batch_t<float, 4>;
+    Row origin, direction, inverse;
+
+    ReadyRay(const Row& origin, const Row& direction)
+        // Finite, so that no product is not a number.
+        : origin(origin),
+          direction(direction),
+          inverse(core::min(core::max(Row(1.f) / direction, Row(-most)), Row(most))) {}
+    explicit ReadyRay(const core::Rayf& ray)
+        : ReadyRay(Row{ray.origin.x, ray.origin.y, ray.origin.z, 0},
+                   Row{ray.direction.x, ray.direction.y, ray.direction.z, 1}) {}
+
+    static constexpr float most = std::numeric_limits<float>::max();
+};
+
+// A ray made ready to be tested against boxes (Kay and Kajiya 1986), each of them larger by a slack on all sides. The way
+// to a side is side * inverse - origin * inverse, in which the slack has room for what is rounded.
 template<class Lanes>
 class BoxRay {
 public:
-    BoxRay(const core::Rayf& ray, float slack) {
-        // Finite, so that no product is not a number.
-        constexpr float most = std::numeric_limits<float>::max();
-        for (int axis = 0; axis < 3; ++axis) {
-            const float inverse = core::min(core::max(1 / ray.direction[axis], -most), most);
-            nearSide_[axis] = inverse < 0 ? 1 : 0;
-            const float outwards = inverse < 0 ? -slack : slack;
-            inverse_[axis] = Lanes(inverse);
-            nearOrigin_[axis] = Lanes(ray.origin[axis] + outwards);
-            farOrigin_[axis] = Lanes(ray.origin[axis] - outwards);
-        }
+    BoxRay(const ReadyRay& ray, float slack) {
+        using Row = ReadyRay::Row;
+        const Row outwards = core::select(ray.inverse < Row(0.f), Row(-slack), Row(slack));
+        const core::LaneArray<Row> near((ray.origin + outwards) * ray.inverse), far((ray.origin - outwards) * ray.inverse),
+            inverse(ray.inverse);
+        for (int axis = 0; axis < 3; ++axis) set(axis, inverse[axis], near[axis], far[axis]);
+    }
+    BoxRay() = default;
+
+    // near, far: its origin, a slack before and behind, times the inverse of its direction along the axis.
+    void set(int axis, float inverse, float near, float far) {
+        const bool isBackwards = inverse < 0;
+        nearSide_[axis] = offsetof(TreeNode, side) + sizeof(TreeNode::side[0]) * static_cast<std::size_t>(axis) +
+                          (isBackwards ? sizeof(TreeNode::side[0][0]) : 0);
+        farSide_[axis] = nearSide_[axis] + (isBackwards ? -sizeof(TreeNode::side[0][0]) : sizeof(TreeNode::side[0][0]));
+        inverse_[axis] = Lanes(inverse);
+        near_[axis] = Lanes(near);
+        far_[axis] = Lanes(far);
     }
 
     // A bit for each child whose box the ray meets at t <= end, and where it enters it.
@@ -30,12 +62,15 @@ public:
         constexpr int width = static_cast<int>(Lanes::size);
         std::uint32_t met = 0;
         for (int first = 0; first < treeWidth; first += width) {
+            const auto wayTo = [&](std::size_t side, int axis, const Lanes& origin) {
+                const char* row = reinterpret_cast<const char*>(&node) + side;
+                return xsimd::fms(Lanes::load_aligned(reinterpret_cast<const float*>(row) + first), inverse_[axis], origin);
+            };
+            // What is not a number, infinity less infinity, leaves the other: xsimd's min and max give the second word.
             Lanes enter(0.f), leave(end);
             for (int axis = 0; axis < 3; ++axis) {
-                const auto& side = node.side[axis];
-                const int near = nearSide_[axis];
-                enter = xsimd::max((Lanes::load_aligned(side[near] + first) - nearOrigin_[axis]) * inverse_[axis], enter);
-                leave = xsimd::min((Lanes::load_aligned(side[1 - near] + first) - farOrigin_[axis]) * inverse_[axis], leave);
+                enter = xsimd::max(wayTo(nearSide_[axis], axis, near_[axis]), enter);
+                leave = xsimd::min(wayTo(farSide_[axis], axis, far_[axis]), leave);
             }
             enter.store_aligned(entry + first);
             met |= core::bitsOf(enter <= leave) << first;
@@ -44,8 +79,8 @@ public:
     }
 
 private:
-    int nearSide_[3];
-    Lanes inverse_[3], nearOrigin_[3], farOrigin_[3];
+    std::size_t nearSide_[3], farSide_[3];  // of a node, in bytes from its start
+    Lanes inverse_[3], near_[3], far_[3];
 };
 
 // Calls visit(leaf) for the leaves whose boxes the ray meets, near ones first, until it returns true or nothing at most
@@ -60,7 +95,6 @@ bool walkTree(TreeReference root, const BoxRay<Lanes>& ray, const float& nearest
     Entry stack[(treeWidth - 1) * mostTreeDepth + 1];
     int waiting = 0;
     TreeReference at = root;
-    if (!at) return false;
     for (;;) {
         while (!at.isLeaf()) {
             const TreeNode& node = *static_cast<const TreeNode*>(at.address());
@@ -84,7 +118,7 @@ bool walkTree(TreeReference root, const BoxRay<Lanes>& ray, const float& nearest
                 stack[place] = next;
             }
         }
-        if (at.isLeaf() && visit(at.address())) return true;
+        if (at.isLeaf() && at.address() != nullptr && visit(at.address())) return true;
         do {
             if (waiting == 0) return false;
             at = stack[--waiting].reference;

@@ -25,75 +25,82 @@ float largestErrorPerUnit(const Scene& scene) {
     return 2 * largest + 8 * unitRoundoff;
 }
 
-std::size_t bytesOfPack(const ObjectPack& pack) {
-    std::size_t bytes = 0;
-    visitPack(pack, [&](const auto& typed) { return bytes = sizeof(typed), false; });
-    return bytes;
-}
-
 }  // namespace
 
-TreeAccelerator::TreeAccelerator(const Scene& scene, int threads) : scene_(scene) {
-    for (const auto& mesh : scene.polyhedra) addMesh(*mesh, threads);
+TreeAccelerator::TreeAccelerator(const Scene& scene, Items objects, int threads) : scene_(scene) {
+    for (const std::uint32_t i : objects) {
+        const auto* mesh = std::get_if<const Polyhedron*>(&scene.instances[i].shape);
+        if (mesh != nullptr && !meshes_.contains(*mesh)) addMesh(**mesh, threads);
+    }
     objects_ = std::make_unique<WideTree>(
-        device_, static_cast<std::uint32_t>(scene.instances.size()),
-        [&](std::uint32_t i) { return scene.instances[i].bounds(); },
-        [&](Items items, const WideTree::Allocate& allocate) { return makeLeaf(items, allocate); },
+        device_, static_cast<std::uint32_t>(objects.size()),
+        [&](std::uint32_t i) { return scene.instances[objects[i]].bounds(); },
+        [&](Items items, const WideTree::Allocate& allocate) { return makeLeaf(items, objects, allocate); },
         largestErrorPerUnit(scene), threads);
 }
 
 void TreeAccelerator::addMesh(const Polyhedron& mesh, int threads) {
-    const auto leaf = [&](Items items, const WideTree::Allocate& allocate) {
+    const auto leaf = [&](Items items, const WideTree::Allocate& allocate) -> TreeReference {
         auto* leaf = static_cast<TriangleLeaf*>(std::memset(allocate(sizeof(TriangleLeaf)), 0, sizeof(TriangleLeaf)));
         for (std::size_t i = 0; i < items.size(); ++i) {
             leaf->triangles.set(static_cast<int>(i),
                                 {mesh.vertex(items[i], 0), mesh.vertex(items[i], 1), mesh.vertex(items[i], 2)});
             leaf->triangle[i] = items[i];
         }
-        return leaf;
+        return {leaf, TreeReference::leaf};
     };
     meshes_[&mesh] = std::make_unique<WideTree>(
         device_, static_cast<std::uint32_t>(mesh.triangleCount()), [&](std::uint32_t i) { return boundsOf(mesh, i); },
         leaf, triangleErrorPerUnit, threads);
 }
 
-const void* TreeAccelerator::makeLeaf(Items items, const WideTree::Allocate& allocate) const {
+// items: places in `objects`. Objects of a kind make a pack; a mesh is one by itself.
+TreeReference TreeAccelerator::makeLeaf(Items items, Items objects, const WideTree::Allocate& allocate) const {
     std::array<std::uint32_t, treeWidth> sorted;
-    std::copy(items.begin(), items.end(), sorted.begin());
-    const auto kind = [&](std::uint32_t i) { return kindOf(scene_.instances[i]); };
+    std::transform(items.begin(), items.end(), sorted.begin(), [&](std::uint32_t i) { return objects[i]; });
+    const auto kind = [&](std::uint32_t i) { return scene_.instances[i].shape.index(); };
     std::sort(sorted.begin(), sorted.begin() + items.size(), [&](std::uint32_t a, std::uint32_t b) {
         return kind(a) != kind(b) ? kind(a) < kind(b) : a < b;
     });
+    std::array<TreeReference, treeWidth> packs;
+    std::array<core::Bounds, treeWidth> bounds;
+    int count = 0;
+    for (std::size_t i = 0; i < items.size(); ++count) {
+        std::size_t end = i + 1;
+        while (kind(sorted[i]) != 0 && end < items.size() && kind(sorted[end]) == kind(sorted[i])) ++end;
+        packs[count] = makePack({&sorted[i], end - i}, allocate);
+        for (; i < end; ++i) bounds[count].include(scene_.instances[sorted[i]].bounds());
+    }
+    if (count == 1) return packs[0];
+    auto* node = static_cast<TreeNode*>(allocate(sizeof(TreeNode)));
+    node->clear();
+    for (int i = 0; i < count; ++i) node->set(i, bounds[i], packs[i]);
+    return {node, TreeReference::node};
+}
 
-    // What follows what, and where.
-    std::array<ObjectPack, treeWidth> packs{};
-    std::size_t count = 0, bytes = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (count == 0 || packs[count - 1].kind != kind(sorted[i])) packs[count++].kind = kind(sorted[i]);
-        ObjectPack& pack = packs[count - 1];
-        pack.instance[pack.count++] = sorted[i];
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        std::fill(packs[i].instance + packs[i].count, packs[i].instance + treeWidth, packs[i].instance[packs[i].count - 1]);
-        packs[i].bytesToNext = static_cast<std::uint32_t>(bytesOfPack(packs[i]));
-        bytes += packs[i].bytesToNext;
-    }
-    packs[count - 1].bytesToNext = 0;
-
-    char* const leaf = static_cast<char*>(allocate(bytes));
-    char* place = leaf;
-    for (std::size_t i = 0; i < count; ++i) {
-        auto* pack = reinterpret_cast<ObjectPack*>(place);
-        *pack = packs[i];
-        visitPack(*pack, [&](auto& typed) { return fill(typed), false; });
-        place += pack->bytesToNext;
-    }
-    return leaf;
+// Of instances of a kind.
+TreeReference TreeAccelerator::makePack(Items instances, const WideTree::Allocate& allocate) const {
+    const auto isGeneral = [&](std::uint32_t i) { return scene_.instances[i].place.isGeneral(); };
+    const bool anyIsGeneral = std::any_of(instances.begin(), instances.end(), isGeneral);
+    ObjectPack header{packKind(scene_.instances[instances[0]].shape, anyIsGeneral),
+                      static_cast<std::uint32_t>(instances.size()),
+                      {}};
+    for (std::size_t i = 0; i < treeWidth; ++i) header.instance[i] = instances[std::min(i, instances.size() - 1)];
+    ObjectPack* made = nullptr;
+    visitPack(header, [&]<class Pack>(Pack&) {
+        auto* pack = new (allocate(sizeof(Pack))) Pack;
+        static_cast<ObjectPack&>(*pack) = header;
+        fill(*pack);
+        made = pack;
+        return true;
+    });
+    return {made, TreeReference::leaf};
 }
 
 void TreeAccelerator::fill(MeshPack& pack) const {
-    for (std::uint32_t i = 0; i < pack.count; ++i)
-        pack.tree[i] = meshes_.at(std::get<const Polyhedron*>(scene_.instances[pack.instance[i]].shape)).get();
+    const Instance& instance = scene_.instances[pack.instance[0]];
+    pack.tree = meshes_.at(std::get<const Polyhedron*>(instance.shape)).get();
+    pack.place = instance.place;
 }
 
 template<class S>
@@ -138,8 +145,8 @@ bool isEmbreeInstalled() {
     }
 }
 
-std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, int threads) {
-    return std::make_unique<TreeAccelerator>(scene, threads);
+std::unique_ptr<Accelerator> makeEmbreeAccelerator(const Scene& scene, Objects objects, int threads) {
+    return std::make_unique<TreeAccelerator>(scene, objects, threads);
 }
 
 }  // namespace gr

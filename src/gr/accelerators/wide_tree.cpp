@@ -34,11 +34,7 @@ struct Builder {
 
     static void* createNode(RTCThreadLocalAllocator allocator, unsigned, void*) {
         auto* node = static_cast<TreeNode*>(embree().rtcThreadLocalAlloc(allocator, sizeof(TreeNode), 64));
-        for (auto& axis : node->side) {
-            std::fill(axis[0], axis[0] + treeWidth, core::infinity);
-            std::fill(axis[1], axis[1] + treeWidth, -core::infinity);
-        }
-        std::fill(node->child, node->child + treeWidth, TreeReference());
+        node->clear();
         return node;
     }
 
@@ -49,14 +45,11 @@ struct Builder {
 
     static void setBounds(void* node, const RTCBounds** bounds, unsigned count, void* user) {
         const float unit = from(user).unit;
-        auto& side = static_cast<TreeNode*>(node)->side;
+        auto& filled = *static_cast<TreeNode*>(node);
         for (unsigned i = 0; i < count; ++i) {
             const RTCBounds& b = *bounds[i];
-            const float low[3] = {b.lower_x, b.lower_y, b.lower_z}, high[3] = {b.upper_x, b.upper_y, b.upper_z};
-            for (int axis = 0; axis < 3; ++axis) {
-                side[axis][0][i] = low[axis] * unit;
-                side[axis][1][i] = high[axis] * unit;
-            }
+            const Vec3f low(b.lower_x, b.lower_y, b.lower_z), high(b.upper_x, b.upper_y, b.upper_z);
+            filled.set(static_cast<int>(i), {low * unit, high * unit}, filled.child[i]);
         }
     }
 
@@ -65,12 +58,23 @@ struct Builder {
         std::array<std::uint32_t, treeWidth> items;
         for (std::size_t i = 0; i < count; ++i) items[i] = primitives[i].primID;
         const auto allocate = [&](std::size_t bytes) { return embree().rtcThreadLocalAlloc(allocator, bytes, 64); };
-        const TreeReference leaf(from(user).makeLeaf({items.data(), count}, allocate), TreeReference::leaf);
-        return std::bit_cast<void*>(leaf);
+        return std::bit_cast<void*>(from(user).makeLeaf({items.data(), count}, allocate));
     }
 };
 
 }  // namespace
+
+void TreeNode::clear() {
+    for (int i = 0; i < treeWidth; ++i) set(i, core::Bounds(), TreeReference::nothing());
+}
+
+void TreeNode::set(int i, const core::Bounds& bounds, TreeReference reference) {
+    for (int axis = 0; axis < 3; ++axis) {
+        side[axis][0][i] = bounds.low[axis];
+        side[axis][1][i] = bounds.high[axis];
+    }
+    child[i] = reference;
+}
 
 WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const BoundsOf& boundsOf, const MakeLeaf& makeLeaf,
                    float errorPerUnit, int threads)
@@ -102,6 +106,7 @@ WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const Bounds
     arguments.maxBranchingFactor = treeWidth;
     arguments.maxDepth = mostTreeDepth;
     arguments.sahBlockSize = treeWidth;
+    arguments.minLeafSize = treeWidth;
     arguments.maxLeafSize = treeWidth;
     arguments.bvh = bvh_;
     arguments.primitives = primitives.data();

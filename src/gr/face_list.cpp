@@ -1,8 +1,10 @@
-#include "render/face_list.h"
+#include "gr/face_list.h"
+
+#include "gr/scene.h"
 
 #include <algorithm>
 
-namespace render {
+namespace gr {
 namespace {
 
 using core::Vec3f;
@@ -24,15 +26,17 @@ std::optional<Corners> joined(const Corners& a, const Corners& b) {
 
 class FaceMaker {
 public:
-    explicit FaceMaker(const gr::Scene& scene) : scene_(scene) {}
+    explicit FaceMaker(const Scene& scene) : scene_(scene) {}
 
     FaceList make() {
-        for (const gr::Instance& instance : scene_.instances) {
-            if (const auto* mesh = std::get_if<const gr::Polyhedron*>(&instance.shape)) {
-                if (!(*mesh)->hasNormals()) add(instance, **mesh);
-            } else if (const auto* square = std::get_if<gr::Square>(&instance.shape)) {
-                add(instance, *square);
-            }
+        list_.isFlat.resize(scene_.instances.size());
+        for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+            const Instance& instance = scene_.instances[i];
+            if (const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape))
+                list_.isFlat[i] = isSmall(**mesh) && !(*mesh)->hasNormals() && add(instance, **mesh);
+            else if (const auto* square = std::get_if<Square>(&instance.shape))
+                list_.isFlat[i] = add(instance, *square);
+            if (list_.size() > mostFaces) return {};
         }
         collectPoints();
         list_.blockingParallelograms = sortBlockingFirst(list_.parallelograms);
@@ -41,7 +45,11 @@ public:
     }
 
 private:
-    void add(const gr::Instance& instance, const gr::Polyhedron& mesh) {
+    static bool isSmall(const Polyhedron& mesh) { return mesh.triangleCount() <= 2 * mostFaces; }
+
+    // Adds all its faces, or none where one of them is a needle; returns whether it did.
+    bool add(const Instance& instance, const Polyhedron& mesh) {
+        const std::size_t parallelograms = list_.parallelograms.size(), triangles = list_.triangles.size();
         const auto count = static_cast<std::uint32_t>(mesh.triangleCount());
         const core::Transform map = instance.place.worldFromObject();
         const auto corners = [&](std::uint32_t triangle) {
@@ -55,48 +63,58 @@ private:
             const auto pair = i + 1 < count ? joined(first, corners(i + 1)) : std::nullopt;
             auto& faces = pair ? list_.parallelograms : list_.triangles;
             const Corners c = pair.value_or(first);
-            addFace(faces, instance, isMirrored ? Corners{c[0], c[2], c[1]} : c, -1);
+            if (!addFace(faces, instance, isMirrored ? Corners{c[0], c[2], c[1]} : c, -1)) {
+                list_.parallelograms.resize(parallelograms);
+                list_.triangles.resize(triangles);
+                return false;
+            }
             if (pair) ++i;
         }
+        return true;
     }
 
-    void add(const gr::Instance& instance, const gr::Square& square) {
-        const gr::AreaLight& light = scene_.areaLights[square.light];
+    bool add(const Instance& instance, const Square& square) {
+        const AreaLight& light = scene_.areaLights[square.light];
         const Vec3f side = glm::cross(light.edge1, light.edge2);
         const bool isTurned = glm::dot(side, light.normal) < 0;
         const glm::dvec3 corner(light.corner), end1(corner + glm::dvec3(light.edge1)),
             end2(corner + glm::dvec3(light.edge2));
-        addFace(list_.parallelograms, instance, isTurned ? Corners{corner, end2, end1} : Corners{corner, end1, end2},
+        return addFace(list_.parallelograms, instance, isTurned ? Corners{corner, end2, end1} : Corners{corner, end1, end2},
                 static_cast<int>(square.light));
     }
 
-    // c: counterclockwise as seen from the normal's side.
-    void addFace(std::vector<Face>& faces, const gr::Instance& instance, const Corners& c, int light) {
+    // c: counterclockwise as seen from the normal's side. Refuses a needle: a face is tested a hair too large, by so much
+    // of its length that a needle, many times as long as wide, would be much too wide.
+    bool addFace(std::vector<Face>& faces, const Instance& instance, const Corners& c, int light) {
         const glm::dvec3 edge1 = c[1] - c[0], edge2 = c[2] - c[0], across = glm::cross(edge1, edge2);
         const double square = glm::dot(across, across);
         const glm::dvec3 toU = glm::cross(edge2, across) / square, toV = glm::cross(across, edge1) / square;
         const Vec3f normal(glm::normalize(across));
         const Vec3f objectNormal = instance.place.worldFromObject().transposed(normal);
-        gr::SurfacePoint surface;
+        SurfacePoint surface;
         surface.objectNormal = objectNormal;
         surface.instance = &instance;
         // A step of the error's 2.4-fold along each axis, across an edge that meets its neighbour at 15 degrees.
         const auto reach = [](const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
         const auto margin = static_cast<float>(4 * 2.4 * std::max({reach(toU), reach(toV), reach(toU + toV)}));
         const auto extent = static_cast<float>(reach(edge1) + reach(edge2));
+        constexpr double mostSlender = 1024;
+        if (!(reach(edge1) + reach(edge2) < mostSlender / std::max(reach(toU), reach(toV)))) return false;
         faces.push_back({Vec3f(c[0]), normal, Vec3f(edge1), Vec3f(edge2), Vec3f(toU), Vec3f(toV), surface.tangent(),
                          instance.error, instance.errorPerUnit(), extent, static_cast<float>(reach(toU)),
                          static_cast<float>(reach(toV)), margin, static_cast<float>(instance.material),
                          static_cast<float>(light)});
+        return true;
     }
 
     // Points such that whatever lies behind a plane has some of them there, with how far rounding may have moved each.
     void collectPoints() {
-        for (const gr::Instance& instance : scene_.instances) {
+        for (const Instance& instance : scene_.instances) {
             const auto add = [&](const Vec3f& p) {
                 points_.push_back({p, instance.error + instance.errorPerUnit() * core::largestComponent(p)});
             };
-            if (const auto* mesh = std::get_if<const gr::Polyhedron*>(&instance.shape)) {
+            const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape);
+            if (mesh != nullptr && isSmall(**mesh)) {
                 const core::Transform map = instance.place.worldFromObject();
                 for (std::uint32_t i = 0; i < (*mesh)->triangleCount(); ++i)
                     for (int k = 0; k < 3; ++k) add(map.point((*mesh)->vertex(i, k)));
@@ -108,7 +126,7 @@ private:
             }
             if (points_.size() > mostPoints) return;
         }
-        for (const gr::PointLight& light : scene_.pointLights) points_.push_back({light.position, 0});
+        for (const PointLight& light : scene_.pointLights) points_.push_back({light.position, 0});
     }
 
     // Between two points in front of a plane, it does not stand. What touches the plane counts as in front: the faces
@@ -132,7 +150,7 @@ private:
         return static_cast<std::size_t>(end - faces.begin());
     }
 
-    const gr::Scene& scene_;
+    const Scene& scene_;
     FaceList list_;
     struct Point {
         Vec3f place;
@@ -144,8 +162,8 @@ private:
 
 }  // namespace
 
-FaceList facesOf(const gr::Scene& scene) {
+FaceList facesOf(const Scene& scene) {
     return FaceMaker(scene).make();
 }
 
-}  // namespace render
+}  // namespace gr
