@@ -45,7 +45,7 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
         setSmoothNormal(surface, **polyhedron, hit, ray.direction, point.front);
     surface.material = &materials[instance.material];
     const auto* square = std::get_if<Square>(&instance.shape);
-    surface.light = square == nullptr ? nullptr : &areaLights[square->light];
+    surface.light = square == nullptr ? nullptr : &lights.of<AreaLight>()[square->light];
     return surface;
 }
 
@@ -58,8 +58,7 @@ std::size_t Scene::objectCount() const {
 std::size_t Scene::bytes() const {
     std::size_t bytes = instances.capacity() * sizeof(Instance) +
                         placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) +
-                        materials.capacity() * sizeof(materials::Material) + areaLights.capacity() * sizeof(AreaLight) +
-                        pointLights.capacity() * sizeof(PointLight);
+                        materials.capacity() * sizeof(materials::Material) + lights.bytes();
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
     return bytes;
 }

@@ -61,7 +61,7 @@ private:
     }
 
     void add(const gr::Instance& instance, const gr::Square& square) {
-        const gr::AreaLight& light = scene_.areaLights[square.light];
+        const gr::AreaLight& light = scene_.lights.of<gr::AreaLight>()[square.light];
         const Vec3f side = glm::cross(light.edge1, light.edge2);
         const bool isTurned = glm::dot(side, light.normal) < 0;
         const glm::dvec3 corner(light.corner), end1(corner + glm::dvec3(light.edge1)),
@@ -108,7 +108,9 @@ private:
             }
             if (points_.size() > mostPoints) return;
         }
-        for (const gr::PointLight& light : scene_.pointLights) points_.push_back({light.position, 0});
+        scene_.lights.forEach([&]<class Light>(const Light& light) {
+            if constexpr (!Light::canBeMet) points_.push_back({light.bounds().centre, 0});
+        });
     }
 
     // Between two points in front of a plane, it does not stand. What touches the plane counts as in front: the faces

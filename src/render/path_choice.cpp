@@ -68,14 +68,12 @@ std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr:
                                                const RenderSettings& settings, const core::Rgbf& ambient,
                                                const core::Vec3f& eye) {
     // To ask each of a few lights takes away more noise than it costs time.
-    constexpr int few = 4;
-    const int lights = static_cast<int>(scene.areaLights.size());
-    const bool picksLights = lights > few && scene.areaLights.size() <= LightTree::mostLights;
+    constexpr std::size_t few = 4;
+    const bool picksLights = scene.lights.size() > few && scene.lights.size() <= LightTree::mostLights;
     PathSetup setup{PathScene(scene, accelerator),
                     settings.globalIllumination ? settings.pathLength : 1,
                     settings.samplesPerLightSource,
                     picksLights,
-                    settings.samplesPerLightSource * (picksLights ? 1 : lights),
                     settings.background,
                     ambient,
                     eye,

@@ -19,7 +19,7 @@ void put(float (&columns)[3][mostLanes], int lane, const core::Vec3f& v) {
 }  // namespace
 
 PathScene::PathScene(const gr::Scene& scene, const gr::Accelerator& accelerator)
-    : scene(scene), accelerator(accelerator), lights(scene.areaLights) {
+    : scene(scene), accelerator(accelerator), lights(scene.lights) {
     for (const materials::Material& material : scene.materials) {
         hasDielectrics |= std::holds_alternative<materials::Dielectric>(material);
         hasAnisotropy |= std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, material);
@@ -56,8 +56,9 @@ void PathScene::nearest(const RayColumns& rays, std::uint32_t lanes, SurfaceColu
         surfaces.error[lane] = surface.error;
         surfaces.isSmooth[lane] = surface.isSmooth ? 1 : 0;
         surfaces.material[lane] = static_cast<float>(surface.instance->material);
-        surfaces.light[lane] =
-            surface.light == nullptr ? -1.f : static_cast<float>(surface.light - scene.areaLights.data());
+        surfaces.light[lane] = surface.light == nullptr
+                                   ? -1.f
+                                   : static_cast<float>(surface.light - scene.lights.of<gr::AreaLight>().data());
     });
 }
 
