@@ -47,7 +47,7 @@ public:
 
     void remove(std::string_view node);
     void reset();
-    // The subtree as indented text, a node a line.
+    // The subtree as indented text, a node a line; behind the whole tree the lights that have names, a light a line.
     std::string print(std::string_view node) const;
 
     const Node& find(std::string_view path) const;
@@ -91,6 +91,7 @@ private:
     void checkNotInstanced(const Node& node, const std::unordered_set<const Node*>& except) const;
     void multiply(std::string_view node, const glm::dmat4& matrix);
     void erase(const Node& node);
+    std::string namedLightsText() const;
 
     Node root_;
     std::unordered_set<std::unique_ptr<Node>, Hash, Equal> index_;
