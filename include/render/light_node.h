@@ -14,6 +14,7 @@ struct LightNode {
     Real cosine, sine;  // of the half angle of a cone about the axis that holds the normals of all their fronts
     Real power;  // the sum of theirs, over that of all lights
     core::Vec3<Real> falloff;  // by what their light fades, on average: see importance()
+    Real least;  // the distance from which they shine on what is among them
 
     // About the irradiance that they send to a point that faces them, and 0 only where none of them shines. Each sends
     // its power * cosine / (falloff.x + falloff.y * distance + falloff.z * distance^2). The cosine is at most that of
@@ -33,8 +34,8 @@ struct LightNode {
         // A negative sine: the slack is more than half a turn.
         const core::Mask<Real> isWithin = isInside | (slackSine < Real(0)) | (angleCosine >= slackCosine);
         const Real bound = core::select(isWithin, Real(1), angleCosine * slackCosine + angleSine * slackSine);
-        const Real fading = falloff.x + falloff.y * core::max(distance, radius) +
-                            falloff.z * core::max(distanceSquared, radius * radius);
+        const Real fading = falloff.x + falloff.y * core::max(distance, least) +
+                            falloff.z * core::max(distanceSquared, least * least);
         // What is dark stays so on the light itself; and two of them, as a sum, are finite.
         const Real most = power * core::max(bound, Real(0)) / core::max(fading, Real(0x1p-126f));
         return core::min(most, Real(0x1p100f));

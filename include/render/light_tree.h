@@ -158,8 +158,11 @@ private:
         LightNode<Real> found{row.vector(offsetof(Node, centre)), row.number(offsetof(Node, radius)),
                               row.vector(offsetof(Node, axis)),   row.number(offsetof(Node, cosine)),
                               row.number(offsetof(Node, sine)),   row.number(offsetof(Node, power)),
-                              {Real(0), Real(0), Real(1)}};
-        if (!allFadeAlike_) found.falloff = row.vector(offsetof(Node, falloff));
+                              {Real(0), Real(0), Real(1)},        row.number(offsetof(Node, radius))};
+        if (!allAreAsLamps_) {
+            found.falloff = row.vector(offsetof(Node, falloff));
+            found.least = row.number(offsetof(Node, least));
+        }
         return found.importance(at);
     }
 
@@ -169,7 +172,7 @@ private:
     std::vector<float> lights_;  // at a leaf's place the index of its light
     std::vector<float> leaves_;  // at a light's index the place of its leaf
     std::vector<Group> groups_;  // those that have lights
-    bool allFadeAlike_ = true;  // with the square of the distance and nothing else
+    bool allAreAsLamps_ = true;  // nodes' falloff is {0, 0, 1} and their least distance the radius
     int depth_ = 0;  // of the deepest
 };
 

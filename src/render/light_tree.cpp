@@ -63,13 +63,14 @@ LightNode<float> nodeOf(const std::vector<Leaf>& leaves, Indices below, double a
     LightNode<float> node{};
     core::Bounds box;
     Vec3f axes(0);
-    double power = 0;
+    double power = 0, allRoundPower = 0;
     glm::dvec3 falloff(0);
     for (const std::uint32_t i : below) {
         const Leaf& leaf = leaves[i];
         box.include(leaf.bounds.box);
         axes += leaf.bounds.axis;
         power += leaf.power;
+        allRoundPower += leaf.bounds.cosine == -1 ? leaf.power : 0;
         falloff += leaf.power * glm::dvec3(leaf.falloff);
     }
     node.centre = 0.5f * (box.low + box.high);
@@ -83,6 +84,9 @@ LightNode<float> nodeOf(const std::vector<Leaf>& leaves, Indices below, double a
     node.sine = std::sqrt(1 - node.cosine * node.cosine);
     node.power = allPower > 0 ? static_cast<float>(power / allPower) : 0.f;
     node.falloff = power > 0 ? Vec3f(falloff / power) : leaves[below[0]].falloff;
+    // In the middle of a ball full of lights the mean of 1 / distance^2 is 3 / radius^2. Of lamps, which shine to one
+    // side, three quarters of it are lost.
+    node.least = node.radius / std::sqrt(power > 0 ? 1 + 2 * static_cast<float>(allRoundPower / power) : 1);
     return node;
 }
 
@@ -131,8 +135,9 @@ LightTree::LightTree(const gr::Lights& lights)
         depth_ = std::max(depth_, static_cast<int>(std::bit_width(2 * count - 1)) - 1);
         base += 2 * count;
     }
-    allFadeAlike_ =
-        std::all_of(leaves.begin(), leaves.end(), [](const Leaf& leaf) { return leaf.falloff == Vec3f(0, 0, 1); });
+    allAreAsLamps_ = std::all_of(nodes_.begin(), nodes_.end(), [](const LightNode<float>& node) {
+        return node.power == 0 || (node.falloff == Vec3f(0, 0, 1) && node.least == node.radius);
+    });
 }
 
 std::size_t LightTree::bytes() const {

@@ -116,7 +116,8 @@ TEST(LanesLightNode, HasTheSameImportance) {
                                            x[4],
                                            sine,
                                            x[5],
-                                           {x[6], x[7], x[8]}};
+                                           {x[6], x[7], x[8]},
+                                           x[3] * Real(0.6f)};
         return std::array<Real, 1>{node.importance(vectorAt(x.data()))};
     });
     for (const auto& importance : importances) ASSERT_TRUE(importance[0] >= 0 && importance[0] <= 0x1p100f);
