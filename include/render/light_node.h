@@ -34,8 +34,8 @@ struct LightNode {
         // A negative sine: the slack is more than half a turn.
         const core::Mask<Real> isWithin = isInside | (slackSine < Real(0)) | (angleCosine >= slackCosine);
         const Real bound = core::select(isWithin, Real(1), angleCosine * slackCosine + angleSine * slackSine);
-        const Real fading = falloff.x + falloff.y * core::max(distance, least) +
-                            falloff.z * core::max(distanceSquared, least * least);
+        const Real fading =
+            falloff.x + falloff.y * core::max(distance, least) + falloff.z * core::max(distanceSquared, least * least);
         // What is dark stays so on the light itself; and two of them, as a sum, are finite.
         const Real most = power * core::max(bound, Real(0)) / core::max(fading, Real(0x1p-126f));
         return core::min(most, Real(0x1p100f));

@@ -3,9 +3,9 @@
 // Seen to fail with light that both ways to find it bring in full, light met again after a mirror that has a highlight,
 // Russian roulette that is not made up for, a hemisphere's density 2 % too large, walls and lamps that cast no shadow,
 // shadow rays that nothing absorbs, an eye's medium taken for all of the lens, a pane met from inside that does not
-// count, several samples of a light weighed as one, lights that chance picks weighed as if each were asked, point lights
-// that it picks not made up for, ambient light at every point, refraction that starts on the wrong side, and bounces
-// through a surface that is shaded with other normals.
+// count, several samples of a light weighed as one, lights that chance picks weighed as if each were asked, point
+// lights that it picks not made up for, ambient light at every point, refraction that starts on the wrong side, and
+// bounces through a surface that is shaded with other normals.
 #include "render/same_light.h"
 
 #include "materials/parameter_sets.h"
