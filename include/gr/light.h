@@ -12,10 +12,19 @@
 
 namespace gr {
 
+// One kind at a time, so that the compiler says which lacks what.
+template<class Kind>
+struct KindOfLight {
+    static_assert(CompleteLight<Kind>, "a light of the list lacks something: what, the compiler says here");
+    static constexpr bool isComplete = true;
+};
+
 // Lights of some kinds, an array for each kind, so that lanes can gather from it. A light's index counts those of the
 // kinds before it, too.
-template<CompleteLight... Kinds>
+template<class... Kinds>
 class LightList {
+    static_assert((KindOfLight<Kinds>::isComplete && ...));
+
 public:
     template<class Kind>
     std::vector<Kind>& of() {
