@@ -1,4 +1,4 @@
-// The scene that a script builds: a tree of nodes, materials and point lights by name.
+// The scene that a script builds: a tree of nodes, materials and lights by name.
 // Every function throws core::Error with a message that names the word that is wrong, and then has changed nothing.
 #pragma once
 
@@ -19,9 +19,9 @@ struct DatabaseStatistics {
     double objects = 0;  // of the whole tree once its instances are spread out; see object_count.h
     // A mesh that several nodes show is one.
     std::size_t meshes = 0, triangles = 0;
-    std::size_t materials = 0, pointLights = 0;
+    std::size_t materials = 0, lights = 0;
     // Memory that is allocated: for the nodes, their names and matrices, and the tables that find them; for the meshes;
-    // for materials and point lights.
+    // for materials and the lights that have names.
     std::size_t nodeBytes = 0, meshBytes = 0, materialBytes = 0;
 };
 
@@ -43,15 +43,15 @@ public:
 
     void addMaterial(std::string_view name, const materials::Material& material);
     void setMaterial(std::string_view node, std::string_view material);
-    void addPointLight(std::string_view name, const PointLight& light);
+    void addLight(std::string_view name, const NamedLight& light);
 
     void remove(std::string_view node);
     void reset();
-    // The subtree as indented text, a node a line.
+    // The subtree as indented text, a node a line; behind the whole tree the lights that have names, a light a line.
     std::string print(std::string_view node) const;
 
     const Node& find(std::string_view path) const;
-    const PointLight& pointLight(std::string_view name) const;
+    const NamedLight& light(std::string_view name) const;
     // Throws unless a node of that name may be made there.
     void checkNew(std::string_view parent, std::string_view name) const;
     // The polyhedron in a mesh file; see MeshFiles.
@@ -91,12 +91,13 @@ private:
     void checkNotInstanced(const Node& node, const std::unordered_set<const Node*>& except) const;
     void multiply(std::string_view node, const glm::dmat4& matrix);
     void erase(const Node& node);
+    std::string namedLightsText() const;
 
     Node root_;
     std::unordered_set<std::unique_ptr<Node>, Hash, Equal> index_;
     std::unordered_map<const Node*, std::unordered_set<const Node*>> instancesOf_;
     std::unordered_map<std::string, NamedMaterial> materials_;
-    std::unordered_map<std::string, PointLight> pointLights_;
+    std::unordered_map<std::string, NamedLight> lights_;
     MeshFiles meshFiles_;
 };
 

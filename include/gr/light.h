@@ -1,86 +1,119 @@
-// THE lights that a surface point asks for light. To add one: write its struct here, with sample over Real.
+// THE list of lights. To add one: write its header in gr/lights/ beside point_light.h, with all that CompleteLight asks
+// for, and add its name to Lights. Both integrators, the tree over lights, the fingerprint, the count of bytes and the
+// print-out walk this list.
 #pragma once
 
-#include "core/warp.h"
+#include "gr/lights/area_light.h"
+#include "gr/lights/point_light.h"
+
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 namespace gr {
 
-// Light that may arrive at a surface point from a place drawn on a light.
-template<class Real>
-struct LightSample {
-    core::Vec3<Real> target;  // the place on the light, where the shadow ray ends
-    core::Vec3<Real> wi;  // unit direction to it
-    core::Rgb<Real> weight;  // radiance / pdfW: times f * cos it estimates the radiance reflected; black: no light
-    Real pdfW;  // per steradian as seen from the surface point; 0 for a point light, which has none
+// One kind at a time, so that the compiler says which lacks what.
+template<class Kind>
+struct KindOfLight {
+    static_assert(CompleteLight<Kind>, "a light of the list lacks something: what, the compiler says here");
+    static constexpr bool isComplete = true;
 };
 
-// A parallelogram that emits the same radiance in every direction on one side and reflects nothing: what becomes of a
-// square under an affine map. In lanes it is one light in each. Nothing but Reals, so that lanes can gather them.
-template<class Real>
-struct AreaLightOf {
-    core::Vec3<Real> corner, edge1, edge2;
-    core::Vec3<Real> normal;  // unit length, to the side that emits
-    core::Rgb<Real> radiance;
-    Real area;
-    // How far rounding may put a point of it off its plane, and that of a ray that starts 1 from the origin more.
-    Real error, errorPerUnit;
+// Lights of some kinds, an array for each kind, so that lanes can gather from it. A light's index counts those of the
+// kinds before it, too.
+template<class... Kinds>
+class LightList {
+    static_assert((KindOfLight<Kinds>::isComplete && ...));
 
-    // from: the surface point. u: uniform in the unit square; the place is uniform on the light.
-    LightSample<Real> sample(const core::Vec3<Real>& from, const core::Vec2<Real>& u) const {
-        const core::Vec3<Real> target = corner + edge1 * u.x + edge2 * u.y;
-        const core::Vec3<Real> toLight = target - from;
-        const Real distanceSquared = glm::dot(toLight, toLight);
-        const core::Vec3<Real> wi = toLight / core::sqrt(distanceSquared);
-
-        // dA = dw * distance^2 / cos: the density 1 / area becomes one over solid angle. The back is dark.
-        const Real cosine = -glm::dot(wi, normal);
-        const core::Mask<Real> lit = (cosine > Real(0)) & (distanceSquared > Real(0));
-        const Real pdf = core::pdfAtoW(Real(1) / area, distanceSquared, cosine);
-        const core::Rgb<Real> weight = radiance / pdf;
-        return {target, wi, core::select(lit, weight, core::Rgb<Real>(Real(0))), core::select(lit, pdf, Real(0))};
+public:
+    template<class Kind>
+    std::vector<Kind>& of() {
+        return std::get<std::vector<Kind>>(arrays_);
+    }
+    template<class Kind>
+    const std::vector<Kind>& of() const {
+        return std::get<std::vector<Kind>>(arrays_);
     }
 
-    // The density of sample() for a ray of direction wi, of unit length, that meets the light's front after `distance`.
-    Real pdfW(const core::Vec3<Real>& wi, const Real& distance) const {
-        return core::pdfAtoW(Real(1) / area, distance * distance, -glm::dot(wi, normal));
+    // Calls f(lights, first) for each kind: its array, and the index of the first in it.
+    template<class F>
+    void forEachKind(F&& f) const {
+        std::size_t first = 0;
+        const auto visit = [&](const auto& lights) {
+            f(lights, first);
+            first += lights.size();
+        };
+        (visit(of<Kinds>()), ...);
     }
+    // Calls f(light) for each light, in the order of their indices.
+    template<class F>
+    void forEach(F&& f) const {
+        const auto visit = [&](const auto& lights) {
+            for (const auto& light : lights) f(light);
+        };
+        (visit(of<Kinds>()), ...);
+    }
+
+    std::size_t size() const { return (of<Kinds>().size() + ...); }
+    std::size_t bytes() const { return ((of<Kinds>().capacity() * sizeof(Kinds)) + ...); }
+
+private:
+    std::tuple<std::vector<Kinds>...> arrays_;
 };
-using AreaLight = AreaLightOf<float>;
 
-// The light of that index, for each lane.
-template<class Real>
-AreaLightOf<Real> gathered(const AreaLight* lights, const core::UInt<Real>& index) {
-    const core::GatheredRow<Real, AreaLight> row(lights, index);
-    return {row.vector(offsetof(AreaLight, corner)),   row.vector(offsetof(AreaLight, edge1)),
-            row.vector(offsetof(AreaLight, edge2)),    row.vector(offsetof(AreaLight, normal)),
-            row.vector(offsetof(AreaLight, radiance)), row.number(offsetof(AreaLight, area)),
-            row.number(offsetof(AreaLight, error)),    row.number(offsetof(AreaLight, errorPerUnit))};
+using Lights = LightList<AreaLight, PointLight>;
+
+namespace detail {
+
+template<class Variant, class... Kinds>
+struct NamedKinds {
+    using Type = Variant;
+};
+template<class... Named, class Kind, class... Others>
+struct NamedKinds<std::variant<Named...>, Kind, Others...>
+    : NamedKinds<std::conditional_t<Kind::isNamed, std::variant<Named..., Kind>, std::variant<Named...>>, Others...> {};
+template<class... Kinds>
+typename NamedKinds<std::variant<>, Kinds...>::Type namedOf(const LightList<Kinds...>&);
+
+}  // namespace detail
+
+// Of a kind that scripts give names.
+using NamedLight = decltype(detail::namedOf(Lights()));
+
+// The light of that index in its kind's array, for each lane.
+template<class Real, template<class> class Light>
+Light<Real> gathered(const Light<float>* lights, const core::UInt<Real>& index) {
+    const core::GatheredRow<Real, Light<float>> row(lights, index);
+    Light<Real> light;
+    std::size_t offset = 0;
+    const auto take = [&]<class Part>(Part& part) {
+        if constexpr (std::is_same_v<Part, Real>) {
+            part = row.number(offset);
+            offset += sizeof(float);
+        } else {
+            part = row.vector(offset);
+            offset += sizeof(core::Vec3f);
+        }
+    };
+    std::apply([&](auto&... part) { (take(part), ...); }, Light<Real>::parts(light));
+    return light;
 }
 // The same light in all lanes.
-template<class Real>
-AreaLightOf<Real> broadcast(const AreaLight& light) {
-    const auto lanes = [](const core::Vec3f& v) { return core::broadcast<Real>(v); };
-    return {lanes(light.corner),   lanes(light.edge1), lanes(light.edge2), lanes(light.normal),
-            lanes(light.radiance), Real(light.area),   Real(light.error),  Real(light.errorPerUnit)};
+template<class Real, template<class> class Light>
+Light<Real> broadcast(const Light<float>& one) {
+    Light<Real> light;
+    const auto set = []<class Part>(Part& part, const auto& from) {
+        if constexpr (std::is_same_v<Part, Real>)
+            part = Real(from);
+        else
+            part = core::broadcast<Real>(from);
+    };
+    const auto setAll = [&]<std::size_t... i>(const auto& to, const auto& from, std::index_sequence<i...>) {
+        (set(std::get<i>(to), std::get<i>(from)), ...);
+    };
+    const auto to = Light<Real>::parts(light);
+    setAll(to, Light<float>::parts(one), std::make_index_sequence<std::tuple_size_v<decltype(to)>>());
+    return light;
 }
-
-// The older point light. A surface that faces it at distance d receives the irradiance
-// pi * intensity / (c0 + c1 d + c2 d^2), so that a white diffuse surface shows intensity / (...).
-struct PointLight {
-    core::Vec3f position;
-    core::Rgbf intensity;
-    core::Vec3f attenuation;  // c0, c1, c2: not negative, not all 0
-
-    template<class Real>
-    LightSample<Real> sample(const core::Vec3<Real>& from) const {
-        const core::Vec3<Real> target = core::broadcast<Real>(position);
-        const core::Vec3<Real> toLight = target - from;
-        const Real distance = core::sqrt(glm::dot(toLight, toLight));
-        const Real falloff = Real(attenuation.x) + distance * (Real(attenuation.y) + distance * Real(attenuation.z));
-        const core::Mask<Real> lit = distance > Real(0);
-        const core::Rgb<Real> weight = core::broadcast<Real>(intensity * core::pi) / falloff;
-        return {target, toLight / distance, core::select(lit, weight, core::Rgb<Real>(Real(0))), Real(0)};
-    }
-};
 
 }  // namespace gr

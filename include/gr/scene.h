@@ -4,6 +4,7 @@
 #include "gr/accelerator.h"
 #include "gr/face_list.h"
 #include "gr/light.h"
+#include "gr/offset.h"
 #include "gr/placement.h"
 #include "gr/shape.h"
 #include "materials/material.h"
@@ -46,11 +47,10 @@ struct SurfacePoint {
     // The u axis of materials that have one, not of unit length: to the east, y being the object's own axis, and along
     // its x axis where the normal is that axis. It is the same all over a flat face, and has no seam on a round one.
     core::Vec3f tangent() const;
-    // The plane moves by the support of the error's cube in the direction of `side`.
     template<class Real>
     static core::Vec3<Real> offsetFrom(const core::Vec3<Real>& position, const core::Vec3<Real>& side,
                                        const Real& error) {
-        return position + side * (error * (core::abs(side.x) + core::abs(side.y) + core::abs(side.z)));
+        return gr::offsetFrom(position, side, error);
     }
 };
 
@@ -113,13 +113,10 @@ core::Vec3<Real> tangentAt(const Instance& instance, const core::Vec3<Real>& obj
     return instance.place.worldFromObject().vector(east);
 }
 
-// From a point off a surface to a place on an area light, a hair before it: t from 0 to 1.
-template<class Real>
-core::Ray<Real> shadowRay(const core::Vec3<Real>& start, const AreaLightOf<Real>& light,
-                          const core::Vec3<Real>& target) {
-    // The end is rounded by how far away the ray starts, too.
-    const Real error = light.error + light.errorPerUnit * core::largestComponent(start);
-    return {start, SurfacePoint::offsetFrom(target, light.normal, error) - start, Real(1)};
+// From a point off a surface to a place on a light, where it ends before it meets the light itself: t from 0 to 1.
+template<class Real, template<class> class Light>
+core::Ray<Real> shadowRay(const core::Vec3<Real>& start, const Light<Real>& light, const core::Vec3<Real>& target) {
+    return {start, light.shadowEnd(start, target) - start, Real(1)};
 }
 
 class Scene {
@@ -127,8 +124,7 @@ public:
     std::vector<Instance> instances;
     std::vector<std::unique_ptr<const Placement::General>> placements;  // of the instances that need one
     std::vector<materials::Material> materials;
-    std::vector<AreaLight> areaLights;
-    std::vector<PointLight> pointLights;
+    Lights lights;
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
     // What many rays at once are tested against, one after the other: the flat faces, if there are few, and some objects
     // that are about as large as all others together. The others are for the accelerator. Indices of instances.
@@ -140,7 +136,7 @@ public:
     std::size_t bytes() const;
 };
 
-// Spreads out the subtree at the path `node`, lit by the area lights in it and the named point lights. The node's own
+// Spreads out the subtree at the path `node`, lit by the area lights in it and the named lights. The node's own
 // transform comes along, those above it do not. Throws core::Error for an unknown node or light, and for a scene that
 // instances multiply beyond the memory of the machine.
 Scene compile(const Database& database, std::string_view node, std::span<const std::string> lights);

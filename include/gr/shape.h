@@ -128,7 +128,7 @@ struct Box {
 struct Square {
     static constexpr float extent = 0.5f;
 
-    std::uint32_t light = 0;  // index into Scene::areaLights
+    std::uint32_t light = 0;  // index into the area lights of Scene::lights
 
     template<class Real>
     Real intersect(const core::Ray<Real>& ray) const {

@@ -10,9 +10,8 @@ namespace render {
 struct PathSetup {
     PathScene scene;
     int pathLength;
-    int lightSamples;  // of each area light at each surface point, but where
-    bool picksLights;  // chance picks which one a sample asks
-    int lightDraws;  // samples of all area lights together
+    int lightSamples;  // of each light that has places to draw, at each surface point, but where
+    bool picksLights;  // chance picks which light a sample asks: then of all lights together
     core::Rgbf background, ambient;
     core::Vec3f eye;
     Media eyeMedia;  // what the eye is inside of

@@ -100,7 +100,7 @@ private:
     }
     void add(const AreaLightNode& light, const glm::dmat4& matrix) {
         const glm::dmat4 place = glm::scale(glm::translate(matrix, light.centre), glm::dvec3(light.size));
-        addInstance(Square{static_cast<std::uint32_t>(scene_.areaLights.size())}, place, Square::extent);
+        addInstance(Square{static_cast<std::uint32_t>(scene_.lights.of<AreaLight>().size())}, place, Square::extent);
         const Instance& instance = scene_.instances.back();
 
         const core::Vec3f edge1(place[0]), edge2(place[2]);
@@ -111,8 +111,9 @@ private:
         const float area = static_cast<float>(glm::length(glm::cross(glm::dvec3(place[0]), glm::dvec3(place[2]))));
         const float size =
             core::largestComponent(corner) + core::largestComponent(edge1) + core::largestComponent(edge2);
-        scene_.areaLights.push_back({corner, edge1, edge2, normal, light.radiance, area,
-                                     instance.error + instance.errorPerUnit() * size, instance.errorPerUnit()});
+        scene_.lights.of<AreaLight>().push_back({corner, edge1, edge2, normal, light.radiance, area,
+                                                 instance.error + instance.errorPerUnit() * size,
+                                                 instance.errorPerUnit()});
     }
 
     void addInstance(Shape shape, const glm::dmat4& matrix, float extent) {
@@ -218,12 +219,13 @@ void sortForManyRays(Scene& scene) {
 
 Scene compile(const Database& database, std::string_view path, std::span<const std::string> lights) {
     const Node& top = database.find(path);
-    std::vector<PointLight> pointLights;
-    for (const std::string& name : lights) pointLights.push_back(database.pointLight(name));
+    std::vector<NamedLight> named;
+    for (const std::string& name : lights) named.push_back(database.light(name));
     const ObjectCounts objects = countObjects(top);
     checkMemory(top, objects.at(&top));
     Scene scene = Compiler(objects).compile(top);
-    scene.pointLights = std::move(pointLights);
+    for (const NamedLight& light : named)
+        std::visit([&]<class Kind>(const Kind& one) { scene.lights.of<Kind>().push_back(one); }, light);
     sortForManyRays(scene);
     return scene;
 }

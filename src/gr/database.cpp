@@ -190,19 +190,18 @@ void Database::setMaterial(std::string_view path, std::string_view name) {
     node.material = &found->second;
 }
 
-void Database::addPointLight(std::string_view name, const PointLight& light) {
+void Database::addLight(std::string_view name, const NamedLight& light) {
     const std::string key(name);
     if (key.empty()) throw core::Error("LIGHT", "NAME", "", "a name must not be empty");
-    if (!pointLights_.try_emplace(key, light).second)
+    if (!lights_.try_emplace(key, light).second)
         throw core::Error("LIGHT", "EXISTS", key, "light \"" + key + "\" already exists");
 }
 
-const PointLight& Database::pointLight(std::string_view name) const {
-    const auto found = pointLights_.find(std::string(name));
-    if (found == pointLights_.end())
-        throw core::Error(
-            "LIGHT", "UNKNOWN", std::string(name),
-            "no such light \"" + std::string(name) + "\"" + core::didYouMean(name, namesOf(pointLights_)));
+const NamedLight& Database::light(std::string_view name) const {
+    const auto found = lights_.find(std::string(name));
+    if (found == lights_.end())
+        throw core::Error("LIGHT", "UNKNOWN", std::string(name),
+                          "no such light \"" + std::string(name) + "\"" + core::didYouMean(name, namesOf(lights_)));
     return found->second;
 }
 
@@ -248,7 +247,7 @@ void Database::reset() {
     index_.clear();
     root_ = Node{};
     materials_.clear();
-    pointLights_.clear();
+    lights_.clear();
 }
 
 }  // namespace gr

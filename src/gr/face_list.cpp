@@ -74,7 +74,7 @@ private:
     }
 
     bool add(const Instance& instance, const Square& square) {
-        const AreaLight& light = scene_.areaLights[square.light];
+        const AreaLight& light = scene_.lights.of<AreaLight>()[square.light];
         const Vec3f side = glm::cross(light.edge1, light.edge2);
         const bool isTurned = glm::dot(side, light.normal) < 0;
         const glm::dvec3 corner(light.corner), end1(corner + glm::dvec3(light.edge1)),
@@ -126,7 +126,9 @@ private:
             }
             if (points_.size() > mostPoints) return;
         }
-        for (const PointLight& light : scene_.pointLights) points_.push_back({light.position, 0});
+        scene_.lights.forEach([&]<class Light>(const Light& light) {
+            if constexpr (!Light::canBeMet) points_.push_back({light.bounds().centre, 0});
+        });
     }
 
     // Between two points in front of a plane, it does not stand. What touches the plane counts as in front: the faces

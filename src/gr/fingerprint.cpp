@@ -68,10 +68,11 @@ std::uint64_t fingerprint(const Scene& scene) {
         addPolyhedron(hash, *polyhedron);
     }
     for (const Instance& instance : scene.instances) addInstance(hash, instance, polyhedra);
-    for (const AreaLight& light : scene.areaLights)
-        for (const core::Vec3f& v : {light.corner, light.edge1, light.edge2, light.normal, light.radiance}) hash.add(v);
-    for (const PointLight& light : scene.pointLights)
-        for (const core::Vec3f& v : {light.position, light.intensity, light.attenuation}) hash.add(v);
+    scene.lights.forEachKind([&]<class Light>(const std::vector<Light>& lights, std::size_t) {
+        hash.add(std::uint64_t{lights.size()});
+        const auto addAll = [&](const auto&... part) { (hash.add(part), ...); };
+        for (const Light& light : lights) std::apply(addAll, Light::parts(light));
+    });
     return hash.value();
 }
 

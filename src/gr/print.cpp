@@ -1,6 +1,9 @@
 #include "core/option.h"
 #include "gr/database.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace gr {
 namespace {
 
@@ -62,7 +65,17 @@ std::string Database::print(std::string_view path) const {
         }
         node = next;
     }
+    if (&top == &root_) text += namedLightsText();
     return text;
+}
+
+std::string Database::namedLightsText() const {
+    std::vector<std::string> lines;
+    for (const auto& [name, light] : lights_)
+        lines.push_back("\n" + name + " " + std::visit([](const auto& one) { return one.text(); }, light));
+    // A hash table has no order that stays.
+    std::sort(lines.begin(), lines.end());
+    return std::accumulate(lines.begin(), lines.end(), std::string());
 }
 
 }  // namespace gr

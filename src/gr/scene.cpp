@@ -47,7 +47,7 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
         setSmoothNormal(surface, **polyhedron, hit, ray.direction, point.front);
     surface.material = &materials[instance.material];
     const auto* square = std::get_if<Square>(&instance.shape);
-    surface.light = square == nullptr ? nullptr : &areaLights[square->light];
+    surface.light = square == nullptr ? nullptr : &lights.of<AreaLight>()[square->light];
     return surface;
 }
 
@@ -60,8 +60,7 @@ std::size_t Scene::objectCount() const {
 std::size_t Scene::bytes() const {
     std::size_t bytes = instances.capacity() * sizeof(Instance) +
                         placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) +
-                        materials.capacity() * sizeof(materials::Material) + areaLights.capacity() * sizeof(AreaLight) +
-                        pointLights.capacity() * sizeof(PointLight);
+                        materials.capacity() * sizeof(materials::Material) + lights.bytes();
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
     bytes += (faces.parallelograms.capacity() + faces.triangles.capacity()) * sizeof(Face) +
              (large.capacity() + bodies.capacity()) * sizeof(std::uint32_t);

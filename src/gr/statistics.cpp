@@ -55,11 +55,11 @@ DatabaseStatistics Database::statistics() const {
     }
 
     statistics.materials = materials_.size();
-    statistics.pointLights = pointLights_.size();
-    statistics.materialBytes = core::allocatedByTable(materials_) + core::allocatedByTable(pointLights_);
+    statistics.lights = lights_.size();
+    statistics.materialBytes = core::allocatedByTable(materials_) + core::allocatedByTable(lights_);
     for (const auto& [name, material] : materials_)
         statistics.materialBytes += core::allocatedBytes(name) + core::allocatedBytes(material.name);
-    for (const auto& [name, light] : pointLights_) statistics.materialBytes += core::allocatedBytes(name);
+    for (const auto& [name, light] : lights_) statistics.materialBytes += core::allocatedBytes(name);
     return statistics;
 }
 

@@ -12,7 +12,7 @@ Tcl_Obj* makeLight(Call& call) {
     light.intensity = call.words.colour(2, "intensity", amount);
     light.attenuation = core::Vec3f(call.words.vector(3, "attenuation", amount));
     if (light.attenuation == core::Vec3f(0)) throwBadValue("attenuation", "other than all 0", call.words.object(3));
-    call.session.database.addPointLight(call.words.text(0), light);
+    call.session.database.addLight(call.words.text(0), light);
     return nullptr;
 }
 

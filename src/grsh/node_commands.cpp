@@ -175,7 +175,8 @@ constexpr std::array<Command, 13> rows{{
      "scales a node about a point, the origin if none is given"},
     {"gr_delete", "", "node", 1, 1, remove, "deletes a node and all below it"},
     {"gr_reset", "", "", 0, 0, reset, "deletes everything: nodes, materials and lights"},
-    {"gr_print", "", "?node?", 0, 1, print, "returns the tree as text, all of it or a node's"},
+    {"gr_print", "", "?node?", 0, 1, print,
+     "returns the tree as text, all of it with the lights behind it, or a node's"},
 }};
 
 }  // namespace

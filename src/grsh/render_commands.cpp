@@ -72,11 +72,9 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 // Whether a path may find any light at all.
 bool isLit(const RenderJob& job, const gr::Scene& scene) {
     const auto shines = [](const core::Rgbf& light) { return light != core::Rgbf(0); };
-    return shines(job.settings.background) || shines(job.ambient) ||
-           std::any_of(scene.areaLights.begin(), scene.areaLights.end(),
-                       [&](const gr::AreaLight& light) { return shines(light.radiance); }) ||
-           std::any_of(scene.pointLights.begin(), scene.pointLights.end(),
-                       [&](const gr::PointLight& light) { return shines(light.intensity); });
+    bool isLit = shines(job.settings.background) || shines(job.ambient);
+    scene.lights.forEach([&](const auto& light) { isLit |= light.power() > 0; });
+    return isLit;
 }
 
 // What came out otherwise than it was asked for.

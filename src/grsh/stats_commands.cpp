@@ -28,7 +28,7 @@ Tcl_Obj* stats(Call& call) {
                    {"meshes", countObject(statistics.meshes)},
                    {"triangles", countObject(statistics.triangles)},
                    {"materials", countObject(statistics.materials)},
-                   {"lights", countObject(statistics.pointLights)},
+                   {"lights", countObject(statistics.lights)},
                    {"bytes", countObject(statistics.nodeBytes + statistics.meshBytes + statistics.materialBytes)},
                    {"memory", dictOf({{"nodes", countObject(statistics.nodeBytes)},
                                       {"meshes", countObject(statistics.meshBytes)},

@@ -44,6 +44,18 @@ const Choice& choiceOf(core::Word lanes) {
     return *std::find_if(all.begin(), all.end(), [&](const Choice& c) { return c.name == lanes; });
 }
 
+// The samples of all lights at a surface point are numbered.
+void checkLightSamples(const gr::Scene& scene, const RenderSettings& settings) {
+    int lights = 0;
+    scene.lights.forEach([&]<class Light>(const Light&) { lights += Light::hasPlaces ? 1 : 0; });
+    const int most = std::numeric_limits<int>::max() / std::max(lights, 1);
+    if (settings.samplesPerLightSource <= most) return;
+    const std::string given = std::to_string(settings.samplesPerLightSource);
+    throw core::Error("VALUE", "RANGE", given,
+                      "samplesperlightsource must be an integer from 1 to " + std::to_string(most) + " with " +
+                          std::to_string(lights) + " lamps, not \"" + given + "\"");
+}
+
 }  // namespace
 
 std::span<const core::Word> laneNames() {
@@ -68,14 +80,13 @@ std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr:
                                                const RenderSettings& settings, const core::Rgbf& ambient,
                                                const core::Vec3f& eye) {
     // To ask each of a few lights takes away more noise than it costs time.
-    constexpr int few = 4;
-    const int lights = static_cast<int>(scene.areaLights.size());
-    const bool picksLights = lights > few && scene.areaLights.size() <= LightTree::mostLights;
+    constexpr std::size_t few = 4;
+    const bool picksLights = scene.lights.size() > few && scene.lights.size() <= LightTree::mostLights;
+    if (!picksLights) checkLightSamples(scene, settings);
     PathSetup setup{PathScene(scene, accelerator),
                     settings.globalIllumination ? settings.pathLength : 1,
                     settings.samplesPerLightSource,
                     picksLights,
-                    settings.samplesPerLightSource * (picksLights ? 1 : lights),
                     settings.background,
                     ambient,
                     eye,

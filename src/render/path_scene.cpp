@@ -3,7 +3,7 @@
 namespace render {
 
 PathScene::PathScene(const gr::Scene& scene, const gr::Accelerator& accelerator)
-    : scene(scene), accelerator(accelerator), lights(scene.areaLights) {
+    : scene(scene), accelerator(accelerator), lights(scene.lights) {
     for (const materials::Material& material : scene.materials) {
         hasDielectrics |= std::holds_alternative<materials::Dielectric>(material);
         hasAnisotropy |= std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, material);

@@ -109,7 +109,7 @@ public:
 
             // A path ends at a light. Its back is dark.
             if (const gr::AreaLight* light = point.surface.light) {
-                if (point.fromOutside && countsEmission) radiance += throughput * light->radiance;
+                if (point.fromOutside && countsEmission) radiance += throughput * light->emitted();
                 return radiance;
             }
 
@@ -140,20 +140,17 @@ private:
     Rgbf directLight(const ShadingPoint& point, const Media& media, Sampler& sampler, RayCounts& rays) const {
         Rgbf sum(0);
         const Vec3f start = point.surface.offset(point.normal);
-        for (const gr::AreaLight& light : scene_.areaLights) {
-            // The mean of M samples, each of them f * cos * radiance / pdf.
+        scene_.lights.forEach([&]<class Light>(const Light& light) {
+            // The mean of M samples, each of them f * cos * radiance / pdf. Where all would be alike one will do.
+            const int samples = Light::hasPlaces ? lightSamples_ : 1;
             Rgbf lightSum(0);
-            for (int i = 0; i < lightSamples_; ++i) {
-                const core::Vec2f u = sampler.next2D();
+            for (int i = 0; i < samples; ++i) {
+                const core::Vec2f u = Light::hasPlaces ? sampler.next2D() : core::Vec2f(0);
                 const gr::LightSample<float> sample = light.sample(point.surface.position, u);
                 lightSum += reflected(point, media, sample, gr::shadowRay(start, light, sample.target), rays);
             }
-            sum += lightSum / static_cast<float>(lightSamples_);
-        }
-        for (const gr::PointLight& light : scene_.pointLights) {
-            const gr::LightSample<float> sample = light.sample<float>(point.surface.position);
-            sum += reflected(point, media, sample, {start, sample.target - start, 1.f}, rays);
-        }
+            sum += lightSum / static_cast<float>(samples);
+        });
         return sum;
     }
 

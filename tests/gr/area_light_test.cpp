@@ -29,7 +29,7 @@ protected:
         database.scale(":light", glm::dvec3(0), {1, 1, 1.4});
         database.rotate(":light", 1, 35);
         database.rotate(":light", 2, -15);
-        return compile(database, ":", {}).areaLights.at(0);
+        return compile(database, ":", {}).lights.of<AreaLight>().at(0);
     }
 
     glm::dvec3 at(double u, double v) const { return corner_ + edge1_ * u + edge2_ * v; }

@@ -22,8 +22,8 @@ protected:
     // on the side to which the map puts what lies below the square.
     void expectMapped() {
         const Scene scene = compile(database, ":", {});
-        ASSERT_EQ(scene.areaLights.size(), 1u);
-        const AreaLight& light = scene.areaLights[0];
+        ASSERT_EQ(scene.lights.of<AreaLight>().size(), 1u);
+        const AreaLight& light = scene.lights.of<AreaLight>()[0];
         const Node& node = database.find(":l");
         const glm::dmat4 matrix = node.matrix ? *node.matrix : glm::dmat4(1);
         const auto map = [&](double x, double y, double z) { return glm::dvec3(matrix * glm::dvec4(x, y, z, 1)); };
@@ -43,8 +43,8 @@ protected:
 
 TEST_F(CompileLightTest, ASquareAboutItsCentreFacingDown) {
     const Scene scene = compile(database, ":", {});
-    ASSERT_EQ(scene.areaLights.size(), 1u);
-    const AreaLight& light = scene.areaLights[0];
+    ASSERT_EQ(scene.lights.of<AreaLight>().size(), 1u);
+    const AreaLight& light = scene.lights.of<AreaLight>()[0];
     expectNear(light.corner, {-1, 2, 1});
     expectNear(light.edge1, {4, 0, 0});
     expectNear(light.edge2, {0, 0, 4});
@@ -63,13 +63,13 @@ TEST_F(CompileLightTest, Turned) {
     database.rotate(":l", 2, 33);
     database.rotate(":l", 1, -70);
     expectMapped();
-    EXPECT_FLOAT_EQ(compile(database, ":", {}).areaLights[0].area, 16);
+    EXPECT_FLOAT_EQ(compile(database, ":", {}).lights.of<AreaLight>()[0].area, 16);
 }
 
 TEST_F(CompileLightTest, Stretched) {
     database.scale(":l", {1, 1, 1}, {2, 5, 3});
     expectMapped();
-    EXPECT_FLOAT_EQ(compile(database, ":", {}).areaLights[0].area, 96);
+    EXPECT_FLOAT_EQ(compile(database, ":", {}).lights.of<AreaLight>()[0].area, 96);
 }
 
 TEST_F(CompileLightTest, MirroredAcrossEachAxis) {
@@ -79,7 +79,7 @@ TEST_F(CompileLightTest, MirroredAcrossEachAxis) {
         database.scale(":l", {0, 0, 0}, by);
         expectMapped();
         // Mirrored up and down it faces up; mirrored sideways it still faces down.
-        expectNear(compile(database, ":", {}).areaLights[0].normal, {0, axis == 1 ? 1 : -1, 0});
+        expectNear(compile(database, ":", {}).lights.of<AreaLight>()[0].normal, {0, axis == 1 ? 1 : -1, 0});
         database.scale(":l", {0, 0, 0}, by);
     }
 }
@@ -93,7 +93,7 @@ TEST_F(CompileLightTest, Sheared) {
     database.scale(":l", {1, 2, 3}, {0.5, -2, 3});
     database.rotate(":l", 0, 20);
     expectMapped();
-    const AreaLight light = compile(database, ":", {}).areaLights[0];
+    const AreaLight light = compile(database, ":", {}).lights.of<AreaLight>()[0];
     EXPECT_GT(std::abs(glm::dot(light.edge1, light.edge2)), 0.1f);
 }
 
@@ -104,13 +104,13 @@ TEST_F(CompileLightTest, AParentsAndAnInstancesMatricesCountToo) {
     database.scale(":lamps", {0, 0, 0}, {2, 1, 1});
     database.rotate(":lamps:two", 0, 90);
     const Scene scene = compile(database, ":", {});
-    ASSERT_EQ(scene.areaLights.size(), 3u);
+    ASSERT_EQ(scene.lights.of<AreaLight>().size(), 3u);
     ASSERT_EQ(scene.instances.size(), 3u);
-    expectNear(scene.areaLights[1].normal, {0, -1, 0});
-    expectNear(scene.areaLights[2].normal, {0, 0, -1});
+    expectNear(scene.lights.of<AreaLight>()[1].normal, {0, -1, 0});
+    expectNear(scene.lights.of<AreaLight>()[2].normal, {0, 0, -1});
     for (std::uint32_t i = 0; i < 3; ++i) {
         EXPECT_EQ(std::get<Square>(scene.instances[i].shape).light, i);
-        EXPECT_FLOAT_EQ(scene.areaLights[i].area, i == 0 ? 16 : 32);
+        EXPECT_FLOAT_EQ(scene.lights.of<AreaLight>()[i].area, i == 0 ? 16 : 32);
     }
 }
 

@@ -33,8 +33,7 @@ void expectMatrix(const core::Transform& map, const glm::dmat4& expected) {
 TEST(Compile, AnEmptySceneHasNothing) {
     const Scene scene = compile(Database(), ":", {});
     EXPECT_TRUE(scene.instances.empty());
-    EXPECT_TRUE(scene.areaLights.empty());
-    EXPECT_TRUE(scene.pointLights.empty());
+    EXPECT_EQ(scene.lights.size(), 0u);
     EXPECT_TRUE(scene.polyhedra.empty());
 }
 
@@ -240,19 +239,20 @@ TEST(Compile, TheSceneOutlivesWhatItWasMadeFrom) {
 
 TEST(Compile, NamedPointLightsInTheOrderAskedFor) {
     Database database;
-    for (const int i : {1, 2, 3}) database.addPointLight("l" + std::to_string(i), {core::Vec3f(i), {}, {1, 0, 0}});
+    for (const int i : {1, 2, 3}) database.addLight("l" + std::to_string(i), PointLight{core::Vec3f(i), {}, {1, 0, 0}});
     database.translate(":", {9, 9, 9});  // they stand outside the graph
     const std::vector<std::string> names{"l3", "l1"};
     const Scene scene = compile(database, ":", names);
-    ASSERT_EQ(scene.pointLights.size(), 2u);
-    EXPECT_EQ(scene.pointLights[0].position, core::Vec3f(3));
-    EXPECT_EQ(scene.pointLights[1].position, core::Vec3f(1));
+    const std::vector<PointLight>& lights = scene.lights.of<PointLight>();
+    ASSERT_EQ(lights.size(), 2u);
+    EXPECT_EQ(lights[0].position, core::Vec3f(3));
+    EXPECT_EQ(lights[1].position, core::Vec3f(1));
 }
 
 TEST(Compile, UnknownNodesAndLights) {
     Database database;
     database.create(":", "room", TransformNode{});
-    database.addPointLight("lamp", {});
+    database.addLight("lamp", {});
     const std::vector<std::string> names{"lamp", "lmap"};
     EXPECT_EQ(errorOf([&] { compile(database, ":rom", {}); }),
               "NODE UNKNOWN [:rom] no such node \":rom\" (did you mean \":room\"?)");

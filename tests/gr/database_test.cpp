@@ -233,24 +233,25 @@ TEST_F(TreeTest, MaterialsByName) {
 }
 
 TEST_F(TreeTest, PointLightsByName) {
-    database.addPointLight("lamp", {{1, 2, 3}, {4, 5, 6}, {1, 0, 0}});
-    EXPECT_EQ(database.pointLight("lamp").position, core::Vec3f(1, 2, 3));
-    EXPECT_EQ(database.pointLight("lamp").intensity, core::Rgbf(4, 5, 6));
+    const auto lamp = [&] { return std::get<PointLight>(database.light("lamp")); };
+    database.addLight("lamp", PointLight{{1, 2, 3}, {4, 5, 6}, {1, 0, 0}});
+    EXPECT_EQ(lamp().position, core::Vec3f(1, 2, 3));
+    EXPECT_EQ(lamp().intensity, core::Rgbf(4, 5, 6));
     expectError(
-        database, [&] { database.pointLight("lmap"); },
+        database, [&] { database.light("lmap"); },
         "LIGHT UNKNOWN [lmap] no such light \"lmap\" (did you mean \"lamp\"?)");
     expectError(
-        database, [&] { database.pointLight("sun"); }, "LIGHT UNKNOWN [sun] no such light \"sun\"");
+        database, [&] { database.light("sun"); }, "LIGHT UNKNOWN [sun] no such light \"sun\"");
     expectError(
-        database, [&] { database.addPointLight("lamp", {}); }, "LIGHT EXISTS [lamp] light \"lamp\" already exists");
+        database, [&] { database.addLight("lamp", {}); }, "LIGHT EXISTS [lamp] light \"lamp\" already exists");
     expectError(
-        database, [&] { database.addPointLight("", {}); }, "LIGHT NAME [] a name must not be empty");
-    EXPECT_EQ(database.pointLight("lamp").position, core::Vec3f(1, 2, 3));
+        database, [&] { database.addLight("", {}); }, "LIGHT NAME [] a name must not be empty");
+    EXPECT_EQ(lamp().position, core::Vec3f(1, 2, 3));
 }
 
 TEST_F(TreeTest, ResetForgetsEverything) {
     database.addMaterial("gold", materials::Diffuse{});
-    database.addPointLight("lamp", {});
+    database.addLight("lamp", {});
     database.createInstance(":", "copy", ":robot");
     database.translate(":", {1, 2, 3});
     database.setMaterial(":", "gold");
@@ -258,11 +259,11 @@ TEST_F(TreeTest, ResetForgetsEverything) {
     EXPECT_EQ(database.nodeCount(), 1u);
     EXPECT_EQ(database.print(":"), ": transform");
     EXPECT_EQ(errorOf([&] { database.find(":robot"); }), "NODE UNKNOWN [:robot] no such node \":robot\"");
-    EXPECT_EQ(errorOf([&] { database.pointLight("lamp"); }), "LIGHT UNKNOWN [lamp] no such light \"lamp\"");
+    EXPECT_EQ(errorOf([&] { database.light("lamp"); }), "LIGHT UNKNOWN [lamp] no such light \"lamp\"");
     EXPECT_EQ(errorOf([&] { database.setMaterial(":", "gold"); }), "MATERIAL UNKNOWN [gold] no such material \"gold\"");
     // All names are free again, and nothing is instanced any more.
     database.addMaterial("gold", materials::Diffuse{});
-    database.addPointLight("lamp", {});
+    database.addLight("lamp", {});
     database.create(":", "robot", TransformNode{});
     database.remove(":robot");
     EXPECT_EQ(database.nodeCount(), 1u);

@@ -32,8 +32,8 @@ std::uint64_t fingerprintWith(const std::function<void(Database&)>& change, core
     vertices[2] = corner;
     addMesh(database, "sheet", vertices);
     database.create(":", "lamp", AreaLightNode{{5, 5, 5}, {0, 4, 0}, 2});
-    database.addPointLight("bulb", PointLight{{1, 1, 1}, core::Rgbf(1), {1, 0, 0}});
-    database.addPointLight("spot", PointLight{{1, 1, 1}, core::Rgbf(1), {1, 0, 1}});
+    database.addLight("bulb", PointLight{{1, 1, 1}, core::Rgbf(1), {1, 0, 0}});
+    database.addLight("spot", PointLight{{1, 1, 1}, core::Rgbf(1), {1, 0, 1}});
     change(database);
     const std::vector<std::string> lights{"bulb"};
     return fingerprint(compile(database, ":", lights));
@@ -72,7 +72,7 @@ TEST(Fingerprint, IsThatOfTheSceneAndOfNothingElse) {
     Database database;
     database.create(":", "ball", SphereNode{{0, 0, 0}, 1});
     const auto lit = [&](const PointLight& light) {
-        database.addPointLight("l" + std::to_string(all.size()), light);
+        database.addLight("l" + std::to_string(all.size()), light);
         const std::vector<std::string> lights{"l" + std::to_string(all.size())};
         return fingerprint(compile(database, ":", lights));
     };

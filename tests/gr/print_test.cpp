@@ -31,6 +31,19 @@ TEST(Print, EveryKindOfNode) {
               "  i instance of :t");
 }
 
+TEST(Print, LightsThatHaveNamesBehindTheWholeTree) {
+    Database database;
+    database.create(":", "t", TransformNode{});
+    database.addLight("moon", PointLight{{1, -2.5, 1e20}, {0.1f, 0, 3}, {0, 0.5f, 1}});
+    database.addLight("bulb", PointLight{{0, 0, 0}, core::Rgbf(1), {1, 0, 0}});
+    EXPECT_EQ(database.print(":"),
+              ": transform\n"
+              "  t transform\n"
+              "bulb point light {0 0 0} {1 1 1} {1 0 0}\n"
+              "moon point light {1 -2.5 1e+20} {0.1 0 3} {0 0.5 1}");
+    EXPECT_EQ(database.print(":t"), ":t transform");
+}
+
 TEST(Print, IndentsByDepthAndComesBackUp) {
     Database database;
     database.create(":", "a", TransformNode{});

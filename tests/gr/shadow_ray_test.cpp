@@ -46,7 +46,7 @@ TEST_P(ShadowRayTest, NothingIsInTheWay) {
     int segments = 0;
     const auto light = [&](Database& database, const ConvexPlace& place) { addLight(database, place, random); };
     forEachPlace(shape, rayCount(60), random, light, [&](const ConvexPlace& place) {
-        const AreaLight& light = place.scene.areaLights.front();
+        const AreaLight& light = place.scene.lights.of<AreaLight>().front();
         for (int i = 0; i < 120; ++i) {
             const core::Rayf ray = place.rayFromOutside(random);
             const std::optional<Hit> hit = place.accelerator->intersect(ray);
@@ -82,7 +82,7 @@ TEST(ShadowRay, EndsCloseToTheLight) {
     const Scene scene = compile(database, ":", {});
     for (const float distance : {1e-3f, 1.f, 1e3f, 1e6f}) {
         const Vec3f start{0.3f * distance, -distance, 0.2f * distance}, target{0.1f, 0, -0.2f};
-        const core::Rayf ray = shadowRay(start, scene.areaLights[0], target);
+        const core::Rayf ray = shadowRay(start, scene.lights.of<AreaLight>()[0], target);
         EXPECT_EQ(ray.origin, start);
         EXPECT_EQ(ray.tMax, 1);
         const glm::dvec3 end = glm::dvec3(ray.origin) + glm::dvec3(ray.direction);

@@ -89,7 +89,7 @@ TEST(StatisticsMemory, OfMaterialsAndLights) {
         for (int i = 0; i < 1000; ++i) database.addMaterial(longName(i), {});
     });
     expectTrueBytes([](Database& database) {
-        for (int i = 0; i < 1000; ++i) database.addPointLight(longName(i), {});
+        for (int i = 0; i < 1000; ++i) database.addLight(longName(i), {});
     });
 }
 

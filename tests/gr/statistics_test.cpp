@@ -11,7 +11,7 @@ TEST(Statistics, OfNothing) {
     const DatabaseStatistics statistics = Database().statistics();
     EXPECT_EQ(statistics.transforms + statistics.spheres + statistics.boxes + statistics.polyhedra, 0u);
     EXPECT_EQ(statistics.areaLights + statistics.instances + statistics.meshes + statistics.triangles, 0u);
-    EXPECT_EQ(statistics.materials + statistics.pointLights, 0u);
+    EXPECT_EQ(statistics.materials + statistics.lights, 0u);
     EXPECT_EQ(statistics.objects, 0);
     EXPECT_EQ(statistics.nodeBytes + statistics.meshBytes + statistics.materialBytes, 0u);
 }
@@ -32,7 +32,7 @@ TEST(Statistics, EveryKindIsCountedUnderItsName) {
     make(AreaLightNode{}, 5);
     for (int i = 0; i < 6; ++i) database.createInstance(":", "copy" + std::to_string(i), ":2");
     for (int i = 0; i < 7; ++i) database.addMaterial(std::to_string(i), {});
-    for (int i = 0; i < 8; ++i) database.addPointLight(std::to_string(i), {});
+    for (int i = 0; i < 8; ++i) database.addLight(std::to_string(i), {});
 
     const DatabaseStatistics statistics = database.statistics();
     EXPECT_EQ(statistics.transforms, 1u);
@@ -42,7 +42,7 @@ TEST(Statistics, EveryKindIsCountedUnderItsName) {
     EXPECT_EQ(statistics.areaLights, 5u);
     EXPECT_EQ(statistics.instances, 6u);
     EXPECT_EQ(statistics.materials, 7u);
-    EXPECT_EQ(statistics.pointLights, 8u);
+    EXPECT_EQ(statistics.lights, 8u);
     EXPECT_EQ(statistics.meshes, 2u);
     EXPECT_EQ(statistics.triangles, first->triangleCount() + second->triangleCount());
     EXPECT_EQ(statistics.objects, 2 + 3 + 4 + 5 + 6);

@@ -218,8 +218,9 @@ TEST(TracerSurface, IsTheScenes) {
             ++atEdges;  // of two that meet or cross there, the other one
             return;
         }
-        const float light =
-            expected.light == nullptr ? -1.f : static_cast<float>(expected.light - scene.areaLights.data());
+        const float light = expected.light == nullptr
+                                ? -1.f
+                                : static_cast<float>(expected.light - scene.lights.of<gr::AreaLight>().data());
         if (light != found.light) wrong.add("light ", found.light, ", expected ", light);
         if (!(std::abs(expected.error - found.error) <= 1e-3f * expected.error)) wrong.add("error ", found.error);
         // Both keep places off the edges, each by a way of its own; on the face's plane they are.
@@ -242,7 +243,8 @@ TEST(TracerShadow, IsTheAccelerators) {
         const Surface surface = lane.nearest(ray);
         if (!surface.isMet()) return;
         const Vec3f side = glm::dot(ray.direction, surface.normal) < 0 ? surface.normal : -surface.normal;
-        const AreaLight& light = scene.areaLights[static_cast<std::size_t>(i) % scene.areaLights.size()];
+        const std::vector<AreaLight>& lamps = scene.lights.of<AreaLight>();
+        const AreaLight& light = lamps[static_cast<std::size_t>(i) % lamps.size()];
         const auto u = static_cast<float>(maker.random().next()), v = static_cast<float>(maker.random().next());
         const LightSample<float> sample = light.sample(surface.position, core::Vec2f(u, v));
         if (sample.pdfW == 0 || !(glm::dot(side, sample.wi) > 0)) return;

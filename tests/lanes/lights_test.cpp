@@ -4,6 +4,7 @@
 
 #include "gr/light.h"
 #include "lanes/both_widths.h"
+#include "render/light_node.h"
 
 namespace lanes {
 namespace {
@@ -60,12 +61,69 @@ TEST(LanesPointLight, GivesTheSameLight) {
             return Numbers<3>{from.x, from.y, from.z};
         });
         const auto samples = expectSame(points, [&]<class Real>(const std::array<Real, 3>& x) {
-            return numbersOf(light.sample(vectorAt(x.data())));
+            return numbersOf(gr::broadcast<Real>(light).sample(vectorAt(x.data())));
         });
         const auto dark = std::count_if(samples.begin(), samples.end(), [](const auto& s) { return s[8] == 0; });
         EXPECT_GT(dark, 0);
         EXPECT_LT(dark, count / 10);
     }
+}
+
+// Each lane its own light.
+TEST(LanesPointLight, IsGathered) {
+    Inputs inputs(14);
+    std::vector<gr::PointLight> lights;
+    for (int i = 0; i < 100; ++i)
+        lights.push_back({inputs.point(5), glm::abs(inputs.point(9)), {inputs.unit(), 0, inputs.unit()}});
+    const auto points = makeInputs<4>(count, [&] {
+        const core::Vec3f from = inputs.point(5);
+        return Numbers<4>{from.x, from.y, from.z, std::floor(inputs.uniform(0, 99.9f))};
+    });
+    expectSame(points, [&]<class Real>(const std::array<Real, 4>& x) {
+        auto light = gr::gathered<Real>(lights.data(), core::toUInt(x[3]));
+        light.divideBy(x[0]);
+        const auto sample = light.sample(vectorAt(x.data()));
+        const core::Vec3<Real> end = light.shadowEnd(vectorAt(x.data()), sample.target);
+        std::array<Real, 13> numbers;
+        std::copy_n(numbersOf(sample).begin(), 10, numbers.begin());
+        for (int axis = 0; axis < 3; ++axis) numbers[static_cast<std::size_t>(10 + axis)] = end[axis];
+        return numbers;
+    });
+}
+
+// From within the ball, on its rim, before, beside and behind it; with narrow cones, wide ones and whole spheres.
+TEST(LanesLightNode, HasTheSameImportance) {
+    Inputs inputs(15);
+    const auto points = makeInputs<9>(count, [&] {
+        const core::Vec3f at = inputs.point(3);
+        const float cosine = inputs.chance(0.3) ? -1 : inputs.uniform(-1, 1);
+        const float x = inputs.chance(0.5) ? 0 : inputs.unit(), y = inputs.chance(0.5) ? 0 : inputs.unit();
+        return Numbers<9>{at.x,
+                          at.y,
+                          at.z,
+                          inputs.unit(),
+                          cosine,
+                          inputs.chance(0.1) ? 0 : inputs.unit(),
+                          x,
+                          y,
+                          inputs.chance(0.3) ? 0.f : 1.f};
+    });
+    const auto importances = expectSame(points, [&]<class Real>(const std::array<Real, 9>& x) {
+        const Real sine = core::sqrt(Real(1) - x[4] * x[4]);
+        const render::LightNode<Real> node{core::broadcast<Real>(core::Vec3f(0.1f, -0.2f, 0)),
+                                           x[3],
+                                           core::broadcast<Real>(core::Vec3f(0.6f, 0, -0.8f)),
+                                           x[4],
+                                           sine,
+                                           x[5],
+                                           {x[6], x[7], x[8]},
+                                           x[3] * Real(0.6f)};
+        return std::array<Real, 1>{node.importance(vectorAt(x.data()))};
+    });
+    for (const auto& importance : importances) ASSERT_TRUE(importance[0] >= 0 && importance[0] <= 0x1p100f);
+    const auto dark = std::count_if(importances.begin(), importances.end(), [](const auto& i) { return i[0] == 0; });
+    EXPECT_GT(dark, count / 10);
+    EXPECT_LT(dark, count / 2);
 }
 
 }  // namespace

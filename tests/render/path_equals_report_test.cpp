@@ -3,9 +3,9 @@
 // Seen to fail with light that both ways to find it bring in full, light met again after a mirror that has a highlight,
 // Russian roulette that is not made up for, a hemisphere's density 2 % too large, walls and lamps that cast no shadow,
 // shadow rays that nothing absorbs, an eye's medium taken for all of the lens, a pane met from inside that does not
-// count, several samples of a light weighed as one, lights that chance picks weighed as if each were asked, ambient
-// light at every point, refraction that starts on the wrong side, and bounces through a surface that is shaded with
-// other normals.
+// count, several samples of a light weighed as one, lights that chance picks weighed as if each were asked, point
+// lights that it picks not made up for, ambient light at every point, refraction that starts on the wrong side, and
+// bounces through a surface that is shaded with other normals.
 #include "render/same_light.h"
 
 #include "materials/parameter_sets.h"
@@ -52,6 +52,18 @@ struct Room : SameLight {
             const double turn = 0.7 * i;
             addLamp("around" + std::to_string(i), core::Rgbf(0.3f * static_cast<float>(1 + i), 2, 1),
                     {1.5 * std::sin(turn), 0.2 * i - 1, 1.5 * std::cos(turn)}, 0.3 + 0.15 * i, i % 3, 40. * i);
+        }
+    }
+    // Point lights that fade in every way, bright and dim; one of them nearly on the floor.
+    void addPointsAllAround() {
+        constexpr core::Vec3f falloffs[] = {{0, 0, 1}, {1, 0, 0}, {0.3f, 0.2f, 0.5f}, {0, 1, 0}};
+        for (int i = 0; i < 11; ++i) {
+            const float turn = 1.1f * static_cast<float>(i);
+            scene.addPointLight(
+                "point" + std::to_string(i),
+                {{1.6f * std::sin(turn), i == 3 ? -1.95f : 0.3f * static_cast<float>(i) - 1.4f, 1.6f * std::cos(turn)},
+                 core::Rgbf(0.05f * static_cast<float>(1 + i % 4), 0.1f, 0.15f),
+                 falloffs[i % 4]});
         }
     }
     void addSmoothBall(const core::Rgbf& reflectance, const glm::dvec3& centre) {
@@ -183,6 +195,35 @@ constexpr Change changes[] = {
          r.scene.settings.depthOfField = true;
          r.scene.settings.aperture = 0.15;
          r.scene.settings.focalDistance = 2.5;
+     }},
+    {"PointLightsThatChancePicks",
+     [](Room& r) {
+         r.scene.database.remove(":lamp");
+         r.addPointsAllAround();
+     }},
+    {"PointLightsThatChancePicks3Samples",
+     [](Room& r) {
+         r.scene.database.remove(":lamp");
+         r.addPointsAllAround();
+         r.scene.settings.samplesPerLightSource = 3;
+     }},
+    {"LampsAndPointLightsThatChancePicks",
+     [](Room& r) {
+         r.addLampsAllAround();
+         r.addPointsAllAround();
+     }},
+    {"LampsAndPointLightsThatChancePicks3Samples",
+     [](Room& r) {
+         r.addLampsAllAround();
+         r.addPointsAllAround();
+         r.scene.settings.samplesPerLightSource = 3;
+     }},
+    {"FourLampsAndPointLightsEachAsked",
+     [](Room& r) {
+         r.addLamp("second", core::Rgbf(1, 2, 4), {-1.9, 0, 0}, 0.8, 2, -90);
+         r.scene.addPointLight("one", {{-1.5f, 1.5f, 1.2f}, core::Rgbf(0.5f), {0, 0, 1}});
+         r.scene.addPointLight("two", {{1.5f, 0, 1.6f}, core::Rgbf(0.2f, 0.4f, 0.6f), {1, 0, 0}});
+         r.scene.settings.samplesPerLightSource = 3;
      }},
     {"MeshWithNormals",
      [](Room& r) {

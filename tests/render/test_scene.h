@@ -41,7 +41,7 @@ struct TestScene {
         database.create(":", name, gr::AreaLightNode{radiance, centre, size});
     }
     void addPointLight(const std::string& name, const gr::PointLight& light) {
-        database.addPointLight(name, light);
+        database.addLight(name, light);
         pointLights.push_back(name);
     }
 };
