@@ -35,11 +35,7 @@ private:
     std::vector<const materials::Dielectric*> inside_;  // in the order in which they were entered
 };
 
-// What a point is inside of: found by a ray from there to where nothing is any more.
-Media mediaAt(const core::Vec3f& point, const gr::Scene& scene, const gr::Accelerator& accelerator);
-
-// Takes the straight way from one point to the other. Returns how many rays that took.
-int goTo(Media& media, const core::Vec3f& from, const core::Vec3f& to, const gr::Scene& scene,
-         const gr::Accelerator& accelerator);
+// What a point is inside of.
+Media mediaAt(const core::Vec3f& point, const gr::Scene& scene);
 
 }  // namespace render

@@ -1,8 +1,8 @@
 // What the path integrator is given, whatever number of lanes it has.
 #pragma once
 
+#include "render/eye_media.h"
 #include "render/integrator.h"
-#include "render/media.h"
 #include "render/path_scene.h"
 
 namespace render {
@@ -14,8 +14,7 @@ struct PathSetup {
     bool picksLights;  // chance picks which one a sample asks
     int lightDraws;  // samples of all area lights together
     core::Rgbf background, ambient;
-    core::Vec3f eye;
-    Media eyeMedia;  // what the eye is inside of
+    EyeMedia eyeMedia;
 };
 
 }  // namespace render

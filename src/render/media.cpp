@@ -1,5 +1,7 @@
 #include "render/media.h"
 
+#include "gr/solid.h"
+
 #include <algorithm>
 
 namespace render {
@@ -26,46 +28,45 @@ void Media::meetFromInside(const materials::Dielectric& material) {
 
 namespace {
 
-struct Crossing {
+// One time that a point is in a solid.
+struct Stay {
+    double exit;  // how far along the ray it ends
     const materials::Dielectric* material;
-    bool enters;
 };
 
-// The dielectrics' surfaces along a ray, whatever else is in the way, in their order.
-std::vector<Crossing> crossings(core::Rayf ray, const gr::Scene& scene, const gr::Accelerator& accelerator,
-                                int& rayCount) {
-    std::vector<Crossing> found;
-    for (;;) {
-        ++rayCount;
-        const std::optional<gr::Hit> hit = accelerator.intersect(ray);
-        if (!hit) return found;
-        const gr::SurfacePoint surface = scene.surfaceAt(ray, *hit);
-        const bool enters = glm::dot(ray.direction, surface.normal) < 0;
-        const auto* dielectric = std::get_if<materials::Dielectric>(surface.material);
-        if (dielectric != nullptr && surface.light == nullptr) found.push_back({dielectric, enters});
-        ray = {surface.offset(enters ? -surface.normal : surface.normal), ray.direction, ray.tMax - hit->t};
+// A ray's crossings of one solid come to this: each exit that no entry before it makes up for ends a stay at the ray's
+// start.
+void addStays(std::vector<gr::SolidCrossing>& crossings, const materials::Dielectric& material,
+              std::vector<Stay>& stays) {
+    const auto isFarther = [](const auto& a, const auto& b) { return a.t > b.t; };
+    std::sort(crossings.begin(), crossings.end(), isFarther);
+    const std::size_t first = stays.size();
+    for (const gr::SolidCrossing& crossing : crossings) {
+        if (!crossing.enters)
+            stays.push_back({crossing.t, &material});
+        else if (stays.size() > first)
+            stays.pop_back();
     }
 }
 
 }  // namespace
 
-Media mediaAt(const core::Vec3f& point, const gr::Scene& scene, const gr::Accelerator& accelerator) {
+Media mediaAt(const core::Vec3f& point, const gr::Scene& scene) {
     const core::Vec3f anyDirection(0.48f, 0.64f, 0.6f);
-    int rays = 0;
-    std::vector<Crossing> found = crossings({point, anyDirection}, scene, accelerator, rays);
-    // Come back, from outside of everything.
+    std::vector<Stay> stays;
+    std::vector<gr::SolidCrossing> crossings;
+    for (const gr::Instance& instance : scene.instances) {
+        const auto* dielectric = std::get_if<materials::Dielectric>(&scene.materials[instance.material]);
+        if (dielectric == nullptr) continue;
+        crossings.clear();
+        gr::addCrossings(instance, {point, anyDirection}, crossings);
+        addStays(crossings, *dielectric, stays);
+    }
+    // What is left last was entered first.
+    std::stable_sort(stays.begin(), stays.end(), [](const Stay& a, const Stay& b) { return a.exit > b.exit; });
     Media media;
-    std::reverse(found.begin(), found.end());
-    for (const Crossing& crossing : found) media.cross(*crossing.material, !crossing.enters);
+    for (const Stay& stay : stays) media.cross(*stay.material, true);
     return media;
-}
-
-int goTo(Media& media, const core::Vec3f& from, const core::Vec3f& to, const gr::Scene& scene,
-         const gr::Accelerator& accelerator) {
-    int rays = 0;
-    for (const Crossing& crossing : crossings({from, to - from, 1.f}, scene, accelerator, rays))
-        media.cross(*crossing.material, crossing.enters);
-    return rays;
 }
 
 }  // namespace render

@@ -78,9 +78,8 @@ std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr:
                     settings.samplesPerLightSource * (picksLights ? 1 : lights),
                     settings.background,
                     ambient,
-                    eye,
                     {}};
-    if (setup.scene.hasDielectrics) setup.eyeMedia = mediaAt(eye, scene, accelerator);
+    if (setup.scene.hasDielectrics) setup.eyeMedia = EyeMedia(scene, eye, settings);
     return std::unique_ptr<Integrator>(choiceOf(settings.lanes).make(std::move(setup)));
 }
 

@@ -95,18 +95,13 @@ private:
         paths.lightDraw = core::select(here, light, paths.lightDraw);
         paths.alive = paths.alive | here;
         rays.camera += static_cast<std::uint64_t>(std::popcount(begun));
-        if (scene_.hasDielectrics) startMedia(paths, begun, rays);
+        if (scene_.hasDielectrics) startMedia(paths, begun);
     }
 
-    void startMedia(Paths<Real>& paths, std::uint32_t begun, RayCounts& rays) const {
+    void startMedia(Paths<Real>& paths, std::uint32_t begun) const {
         const core::LaneArray<Real> x(paths.ray.origin.x), y(paths.ray.origin.y), z(paths.ray.origin.z);
         core::forEachLane(begun, [&](int lane) {
-            const core::Vec3f origin(x[lane], y[lane], z[lane]);
-            Media& media = paths.media.change(lane);
-            media = setup_.eyeMedia;
-            if (origin != setup_.eye)
-                rays.camera +=
-                    static_cast<std::uint64_t>(goTo(media, setup_.eye, origin, scene_.scene, scene_.accelerator));
+            paths.media.change(lane) = setup_.eyeMedia.at({x[lane], y[lane], z[lane]});
         });
         paths.media.update();
     }

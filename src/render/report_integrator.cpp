@@ -1,8 +1,6 @@
 #include "core/frame.h"
+#include "render/eye_media.h"
 #include "render/integrator.h"
-#include "render/media.h"
-
-#include <algorithm>
 
 namespace render {
 namespace {
@@ -83,17 +81,13 @@ public:
           lightSamples_(settings.samplesPerLightSource),
           background_(settings.background),
           ambient_(ambient),
-          eye_(eye),
-          hasDielectrics_(std::any_of(scene.materials.begin(), scene.materials.end(),
-                                      [](const auto& m) { return std::holds_alternative<Dielectric>(m); })) {
-        if (hasDielectrics_) eyeMedia_ = mediaAt(eye, scene, accelerator);
-    }
+          eyeMedia_(scene, eye, settings) {}
 
     Rgbf radiance(const Rayf& cameraRay, Sampler& sampler, RayCounts& rays, FirstSurface* first) const override {
         Rgbf radiance(0);
         Rgbf throughput(1);  // what is left of light that comes along `ray`, when it arrives at the eye
         Rayf ray = cameraRay;
-        Media media = mediaWhere(cameraRay.origin, rays);
+        Media media = eyeMedia_.at(cameraRay.origin);
         bool countsEmission = true;  // false after a bounce for which lights were sampled already
         ++rays.camera;
         for (int surfacePoints = 1;; ++surfacePoints) {
@@ -130,13 +124,6 @@ public:
     }
 
 private:
-    Media mediaWhere(const Vec3f& origin, RayCounts& rays) const {
-        Media media = eyeMedia_;
-        if (hasDielectrics_ && origin != eye_)
-            rays.camera += static_cast<std::uint64_t>(goTo(media, eye_, origin, scene_, accelerator_));
-        return media;
-    }
-
     Rgbf directLight(const ShadingPoint& point, const Media& media, Sampler& sampler, RayCounts& rays) const {
         Rgbf sum(0);
         const Vec3f start = point.surface.offset(point.normal);
@@ -173,9 +160,7 @@ private:
     int lightSamples_;
     Rgbf background_;
     Rgbf ambient_;
-    Vec3f eye_;
-    bool hasDielectrics_;
-    Media eyeMedia_;  // what the eye is inside of
+    EyeMedia eyeMedia_;
 };
 
 }  // namespace
