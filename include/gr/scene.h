@@ -126,11 +126,17 @@ public:
     std::vector<Instance> instances;
     std::vector<std::unique_ptr<const Placement::General>> placements;  // of the instances that need one
     std::vector<materials::Material> materials;
+    std::vector<std::optional<materials::Interior>> interiors;  // of the materials
     std::vector<AreaLight> areaLights;
     std::vector<PointLight> pointLights;
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
 
     SurfacePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
+    // What is inside of a material, or null. One material's is told from another's by its address.
+    const materials::Interior* interiorOf(std::uint32_t material) const {
+        return interiors[material] ? &*interiors[material] : nullptr;
+    }
+    bool hasInteriors() const;
     std::size_t objectCount() const;  // shapes, and the triangles of meshes
     std::size_t bytes() const;
 };

@@ -19,7 +19,7 @@ public:
 private:
     struct Near {
         gr::NearSolid solid;
-        const materials::Dielectric* material;
+        const materials::Interior* interior;
     };
 
     const gr::Scene* scene_ = nullptr;

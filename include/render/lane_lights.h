@@ -113,7 +113,7 @@ private:
         rays.shadow += static_cast<std::uint64_t>(core::countOf(shines));
         const Mask isDark = tracer_.occluded(shadow, shines, rays.traversal);
         const Rgb arriving =
-            scene_.hasDielectrics ? light * paths.media.transmittance(glm::length(shadow.direction)) : light;
+            scene_.hasInteriors ? light * paths.media.transmittance(glm::length(shadow.direction)) : light;
         return core::select(shines & !isDark, arriving, Rgb(Real(0)));
     }
 

@@ -25,7 +25,7 @@ struct PathScene {
 
     const gr::Scene& scene;
     const gr::Accelerator& accelerator;
-    bool hasDielectrics = false;
+    bool hasInteriors = false;  // materials that paths go through
     bool hasAnisotropy = false;
     bool hasNormals = false;  // meshes shaded with normals of their own
     LightTree lights;

@@ -1,5 +1,7 @@
 #include "gr/scene.h"
 
+#include <algorithm>
+
 namespace gr {
 
 core::Vec3f SurfacePoint::tangent() const {
@@ -49,6 +51,10 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     return surface;
 }
 
+bool Scene::hasInteriors() const {
+    return std::any_of(interiors.begin(), interiors.end(), [](const auto& interior) { return interior.has_value(); });
+}
+
 std::size_t Scene::objectCount() const {
     std::size_t count = instances.size();
     for (const auto& polyhedron : polyhedra) count += polyhedron->triangleCount();
@@ -58,7 +64,8 @@ std::size_t Scene::objectCount() const {
 std::size_t Scene::bytes() const {
     std::size_t bytes = instances.capacity() * sizeof(Instance) +
                         placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) +
-                        materials.capacity() * sizeof(materials::Material) + areaLights.capacity() * sizeof(AreaLight) +
+                        materials.capacity() * sizeof(materials::Material) +
+                        interiors.capacity() * sizeof(interiors[0]) + areaLights.capacity() * sizeof(AreaLight) +
                         pointLights.capacity() * sizeof(PointLight);
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
     return bytes;

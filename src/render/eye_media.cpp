@@ -6,7 +6,7 @@ namespace render {
 namespace {
 
 struct Crossing : gr::SolidCrossing {
-    const materials::Dielectric* material;
+    const materials::Interior* interior;
 };
 
 core::Bounds lensOf(const core::Vec3f& eye, const RenderSettings& settings) {
@@ -26,10 +26,10 @@ EyeMedia::EyeMedia(const gr::Scene& scene, const core::Vec3f& eye, const RenderS
     : scene_(&scene), eye_(eye), lens_(lensOf(eye, settings)), media_(mediaAt(eye, scene)) {
     if (!settings.depthOfField) return;
     for (const gr::Instance& instance : scene.instances) {
-        const auto* dielectric = std::get_if<materials::Dielectric>(&scene.materials[instance.material]);
-        if (dielectric == nullptr) continue;
+        const materials::Interior* interior = scene.interiorOf(instance.material);
+        if (interior == nullptr) continue;
         gr::NearSolid solid(instance, lens_);
-        if (!solid.isBeyond()) near_.push_back({std::move(solid), dielectric});
+        if (!solid.isBeyond()) near_.push_back({std::move(solid), interior});
     }
 }
 
@@ -43,11 +43,11 @@ Media EyeMedia::at(const core::Vec3f& place) const {
     for (const Near& near : near_) {
         crossings.clear();
         near.solid.addCrossings({eye_, place - eye_, 1.f}, crossings);
-        for (const gr::SolidCrossing& crossing : crossings) way.push_back({crossing, near.material});
+        for (const gr::SolidCrossing& crossing : crossings) way.push_back({crossing, near.interior});
     }
     std::stable_sort(way.begin(), way.end(), [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
     Media media = media_;
-    for (const Crossing& crossing : way) media.cross(*crossing.material, crossing.enters);
+    for (const Crossing& crossing : way) media.cross(*crossing.interior, crossing.enters);
     return media;
 }
 

@@ -79,7 +79,7 @@ std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr:
                     settings.background,
                     ambient,
                     {}};
-    if (setup.scene.hasDielectrics) setup.eyeMedia = EyeMedia(scene, eye, settings);
+    if (setup.scene.hasInteriors) setup.eyeMedia = EyeMedia(scene, eye, settings);
     return std::unique_ptr<Integrator>(choiceOf(settings.lanes).make(std::move(setup)));
 }
 

@@ -95,7 +95,7 @@ private:
         paths.lightDraw = core::select(here, light, paths.lightDraw);
         paths.alive = paths.alive | here;
         rays.camera += static_cast<std::uint64_t>(std::popcount(begun));
-        if (scene_.hasDielectrics) startMedia(paths, begun);
+        if (scene_.hasInteriors) startMedia(paths, begun);
     }
 
     void startMedia(Paths<Real>& paths, std::uint32_t begun) const {
@@ -116,7 +116,7 @@ private:
         if (!samples.first.empty()) tellFirst(paths, points, camera.depth(paths.ray, surface.t), isMet, samples);
 
         // On the way there a medium absorbs.
-        if (scene_.hasDielectrics) {
+        if (scene_.hasInteriors) {
             meetFromInside(paths, points);
             paths.throughput *= paths.media.transmittance(surface.t);
         }
@@ -164,7 +164,7 @@ private:
         paths.throughput /= core::select(paths.alive, survival, Real(1));
 
         const Mask<Real> isThrough = next.wi.z < Real(0);
-        if (scene_.hasDielectrics) crossSurfaces(paths, points, isThrough);
+        if (scene_.hasInteriors) crossSurfaces(paths, points, isThrough);
         paths.ray.origin = points.offset(core::select(isThrough, -points.normal, points.normal));
         paths.ray.direction = direction;
         const Real zeroOrAll = core::select(next.isLit, Real(0), Real(core::infinity));
@@ -194,7 +194,7 @@ private:
 
     BsdfSample<Real> sampled(const Paths<Real>& paths, const ShadingPoints<Real>& points,
                              const materials::BsdfDraw<Real>& u) const {
-        const Real indexBeyond = scene_.hasDielectrics ? indicesBeyond(paths, points) : Real(1);
+        const Real indexBeyond = scene_.hasInteriors ? indicesBeyond(paths, points) : Real(1);
         BsdfSample<Real> next{{Real(0), Real(0), Real(1)},
                               Rgb<Real>(Real(0)),
                               Real(0),
@@ -208,20 +208,19 @@ private:
         return next;
     }
 
-    // Calls f(lane, dielectric) for the lanes of a mask where there is one.
+    // Calls f(lane, interior) for the lanes of a mask whose surface has one.
     template<class F>
-    void forEachDielectric(const ShadingPoints<Real>& points, std::uint32_t lanes, F&& f) const {
+    void forEachInterior(const ShadingPoints<Real>& points, std::uint32_t lanes, F&& f) const {
         const core::LaneArray<Real> material(points.surface.material);
         core::forEachLane(lanes & points.lanes, [&](int lane) {
-            const auto& bsdf = scene_.scene.materials[static_cast<std::size_t>(material[lane])];
-            if (const auto* dielectric = std::get_if<materials::Dielectric>(&bsdf)) f(lane, *dielectric);
+            if (const auto* interior = scene_.scene.interiorOf(static_cast<std::uint32_t>(material[lane])))
+                f(lane, *interior);
         });
     }
 
     void meetFromInside(Paths<Real>& paths, const ShadingPoints<Real>& points) const {
-        forEachDielectric(points, ~core::bitsOf(points.fromOutside), [&](int lane, const auto& dielectric) {
-            paths.media.change(lane).meetFromInside(dielectric);
-        });
+        forEachInterior(points, ~core::bitsOf(points.fromOutside),
+                        [&](int lane, const auto& interior) { paths.media.change(lane).meetFromInside(interior); });
         paths.media.update();
     }
 
@@ -229,17 +228,17 @@ private:
     Real indicesBeyond(const Paths<Real>& paths, const ShadingPoints<Real>& points) const {
         core::LaneArray<Real> index(Real(1));
         const std::uint32_t fromOutside = core::bitsOf(points.fromOutside);
-        forEachDielectric(points, allLanes, [&](int lane, const auto& dielectric) {
+        forEachInterior(points, allLanes, [&](int lane, const auto& interior) {
             const Media& media = paths.media.at(lane);
-            index[lane] = media.indexBeyond(dielectric, fromOutside >> lane & 1) / media.index();
+            index[lane] = media.indexBeyond(interior, fromOutside >> lane & 1) / media.index();
         });
         return index.real();
     }
 
     void crossSurfaces(Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isThrough) const {
         const std::uint32_t fromOutside = core::bitsOf(points.fromOutside);
-        forEachDielectric(points, core::bitsOf(isThrough & paths.alive), [&](int lane, const auto& dielectric) {
-            paths.media.change(lane).cross(dielectric, fromOutside >> lane & 1);
+        forEachInterior(points, core::bitsOf(isThrough & paths.alive), [&](int lane, const auto& interior) {
+            paths.media.change(lane).cross(interior, fromOutside >> lane & 1);
         });
         paths.media.update();
     }

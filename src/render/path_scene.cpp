@@ -19,9 +19,8 @@ void put(float (&columns)[3][mostLanes], int lane, const core::Vec3f& v) {
 }  // namespace
 
 PathScene::PathScene(const gr::Scene& scene, const gr::Accelerator& accelerator)
-    : scene(scene), accelerator(accelerator), lights(scene.areaLights) {
+    : scene(scene), accelerator(accelerator), hasInteriors(scene.hasInteriors()), lights(scene.areaLights) {
     for (const materials::Material& material : scene.materials) {
-        hasDielectrics |= std::holds_alternative<materials::Dielectric>(material);
         hasAnisotropy |= std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, material);
     }
     hasNormals =

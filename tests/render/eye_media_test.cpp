@@ -28,10 +28,9 @@ struct Things {
     }
     void compile() { scene = gr::compile(database, ":", {}); }
     float index(const Vec3f& point) const { return mediaAt(point, scene).index(); }
-    // The index beyond the surface of the dielectric that was added so, counted from 0, and left from inside.
+    // The index beyond the surface of the thing that was added so, counted from 0, and left from inside.
     float beyond(const Vec3f& point, std::size_t number) const {
-        const auto& material = scene.materials[scene.instances[number].material];
-        return mediaAt(point, scene).indexBeyond(std::get<Dielectric>(material), false);
+        return mediaAt(point, scene).indexBeyond(*scene.interiorOf(scene.instances[number].material), false);
     }
     // With a lens round it.
     EyeMedia lens(const Vec3f& eye, double radius) const {

@@ -12,9 +12,10 @@ namespace {
 
 using core::Vec3f;
 using materials::Dielectric;
+using materials::Interior;
 
-const Dielectric water{.index = 1.25, .absorption = {1, 0, 0}};
-const Dielectric glass{.index = 1.5, .absorption = {0, 1, 0}};
+const Interior water{.index = 1.25, .absorption = {1, 0, 0}};
+const Interior glass{.index = 1.5, .absorption = {0, 1, 0}};
 
 TEST(Media, AreAirAtFirst) {
     const Media media;
