@@ -90,6 +90,7 @@ private:
         paths.ray.tMax = Real(core::infinity);
         paths.radiance = core::select(here, Rgb<Real>(Real(0)), paths.radiance);
         paths.throughput = core::select(here, Rgb<Real>(Real(1)), paths.throughput);
+        paths.indexSquared = core::select(here, Real(1), paths.indexSquared);
         paths.surfacePoints = core::select(here, Real(0), paths.surfacePoints);
         paths.pdfW = core::select(here, Real(core::infinity), paths.pdfW);
         paths.lightDraw = core::select(here, light, paths.lightDraw);
@@ -150,20 +151,23 @@ private:
         const UInt number = core::toUInt(paths.surfacePoints);
         const Point4<Real> u = paths.random.point(PathNumbers<Real>::way(number));
         const Point4<Real> more = paths.random.point(PathNumbers<Real>::method(number));
-        const BsdfSample<Real> next = sampled(paths, points, {more[0], {u[0], u[1]}});
+        const Real indexBeyond = scene_.hasInteriors ? indicesBeyond(paths, points) : Real(1);
+        const BsdfSample<Real> next = sampled(points, {more[0], {u[0], u[1]}}, indexBeyond);
+        const Mask<Real> isThrough = next.wi.z < Real(0);
         const Vec3<Real> direction = points.frame.toWorld(next.wi);
         paths.lightDraw = Vec3<Real>(u[2], u[3], more[2]);
         paths.throughput *= next.weight;
         paths.alive = paths.alive & next.valid & !points.isOnWrongSide(direction, next.wi);
 
         // Of those that carry less than a third of the light that they could, end some at random, and let the others
-        // count for them (Russian roulette).
-        const Rgb<Real>& left = paths.throughput;
+        // count for them (Russian roulette). What refraction takes from radiance does not count: it gives it back where
+        // the path comes out again.
+        paths.indexSquared *= core::select(isThrough, indexBeyond * indexBeyond, Real(1));
+        const Rgb<Real> left = paths.throughput * paths.indexSquared;
         const Real survival = core::min(core::max(left.x, core::max(left.y, left.z)) * Real(3), Real(1));
         paths.alive = paths.alive & (more[1] < survival);
         paths.throughput /= core::select(paths.alive, survival, Real(1));
 
-        const Mask<Real> isThrough = next.wi.z < Real(0);
         if (scene_.hasInteriors) crossSurfaces(paths, points, isThrough);
         paths.ray.origin = points.offset(core::select(isThrough, -points.normal, points.normal));
         paths.ray.direction = direction;
@@ -192,9 +196,8 @@ private:
         });
     }
 
-    BsdfSample<Real> sampled(const Paths<Real>& paths, const ShadingPoints<Real>& points,
-                             const materials::BsdfDraw<Real>& u) const {
-        const Real indexBeyond = scene_.hasInteriors ? indicesBeyond(paths, points) : Real(1);
+    BsdfSample<Real> sampled(const ShadingPoints<Real>& points, const materials::BsdfDraw<Real>& u,
+                             const Real& indexBeyond) const {
         BsdfSample<Real> next{{Real(0), Real(0), Real(1)},
                               Rgb<Real>(Real(0)),
                               Real(0),
