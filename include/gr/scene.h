@@ -124,6 +124,7 @@ public:
     std::vector<Instance> instances;
     std::vector<std::unique_ptr<const Placement::General>> placements;  // of the instances that need one
     std::vector<materials::Material> materials;
+    std::vector<std::optional<materials::Interior>> interiors;  // of the materials
     Lights lights;
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
     // What many rays at once are tested against, one after the other: the flat faces, if there are few, and some objects
@@ -132,6 +133,11 @@ public:
     std::vector<std::uint32_t> large, bodies;
 
     SurfacePoint surfaceAt(const core::Rayf& ray, const Hit& hit) const;
+    // What is inside of a material, or null. One material's is told from another's by its address.
+    const materials::Interior* interiorOf(std::uint32_t material) const {
+        return interiors[material] ? &*interiors[material] : nullptr;
+    }
+    bool hasInteriors() const;
     std::size_t objectCount() const;  // shapes, and the triangles of meshes
     std::size_t bytes() const;
 };

@@ -1,7 +1,7 @@
 // Glass, water: smooth, clear, with light absorbed on its way inside.
 #pragma once
 
-#include "core/elementary.h"
+#include "materials/interior.h"
 #include "materials/methods.h"
 #include "materials/option_rows.h"
 
@@ -56,11 +56,7 @@ struct Dielectric {
 
     bool isAnisotropic() const { return false; }
 
-    // Beer's law: what is left of light after a way inside.
-    core::Rgbf transmittance(float length) const {
-        const auto left = [&](float a) { return a == 0 ? 1.f : core::exp(-a * length); };
-        return {left(absorption.x), left(absorption.y), left(absorption.z)};
-    }
+    std::optional<Interior> interior() const { return Interior{static_cast<float>(index), absorption}; }
 
     // f * |cos|: the report's highlight, R_s (r.k)^10. r is the mirror's direction of wi. Neither reciprocal nor
     // bounded by the light that arrives.

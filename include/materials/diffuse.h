@@ -1,6 +1,7 @@
 // A surface that scatters light evenly in all directions (Lambert).
 #pragma once
 
+#include "materials/interior.h"
 #include "materials/methods.h"
 #include "materials/option_rows.h"
 
@@ -27,6 +28,7 @@ struct Diffuse {
     }
 
     bool isAnisotropic() const { return false; }
+    std::optional<Interior> interior() const { return std::nullopt; }  // it is opaque
 
     // f * |cos|, f per steradian. Over the hemisphere it integrates to R_d, since cos integrates to pi.
     template<class Real>

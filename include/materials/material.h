@@ -1,6 +1,6 @@
 // THE list of materials. To add one: write its header here beside diffuse.h (parameters with defaults, typeName,
-// options(), eval, pdfW, sample and what else Diffuse has) and add its name to Material. gr_material, its help, its
-// errors and every statistical test walk this list.
+// options(), eval, pdfW, sample, interior and what else Diffuse has) and add its name to Material. gr_material, its
+// help, its errors and every statistical test walk this list.
 #pragma once
 
 #include "materials/dielectric.h"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/elementary.h"
+#include "materials/interior.h"
 #include "materials/methods.h"
 #include "materials/option_rows.h"
 
@@ -96,6 +97,7 @@ struct Shirley {
     }
 
     bool isAnisotropic() const { return exponents.x != exponents.y; }
+    std::optional<Interior> interior() const { return std::nullopt; }  // it is opaque
 
     // f * |cos|, f per steradian: equations 4 and 5, Schlick's approximation of Fresnel's equations in both.
     template<class Real>

@@ -144,7 +144,7 @@ private:
         const core::Ray<Real> shadow{start, answer.shadowEnd - start, Real(1)};
         const Mask isDark = tracer_.occluded(shadow, shines, rays.traversal);
         const Rgb arriving =
-            scene_.hasDielectrics ? light * paths.media.transmittance(glm::length(shadow.direction)) : light;
+            scene_.hasInteriors ? light * paths.media.transmittance(glm::length(shadow.direction)) : light;
         return core::select(shines & !isDark, arriving, Rgb(Real(0)));
     }
 

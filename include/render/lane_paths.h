@@ -33,6 +33,7 @@ struct Paths {
     core::Ray<Real> ray{};
     core::Rgb<Real> radiance{Real(0)};
     core::Rgb<Real> throughput{Real(0)};  // what is left of light that comes along the ray, when it arrives at the eye
+    Real indexSquared = Real(1);  // of refraction, over that where the path began: refraction divides throughput by it
     Real surfacePoints = Real(0);
     // Of the ray's direction; infinity where light sampling cannot bring what the ray brings, 0 where it has.
     Real pdfW = Real(0);

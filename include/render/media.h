@@ -1,4 +1,4 @@
-// What a path goes through: air, or the dielectrics that it is inside of.
+// What a path goes through: air, or the materials that it is inside of.
 #pragma once
 
 #include "gr/scene.h"
@@ -7,19 +7,19 @@
 
 namespace render {
 
-// Dielectrics may overlap and lie in one another: the one entered last counts. A dielectric is told from others by its
+// Solids may overlap and lie in one another: the one entered last counts. An interior is told from others by its
 // address and must outlive this.
 class Media {
 public:
     // The index of refraction here; air's is 1.
-    float index() const { return inside_.empty() ? 1.f : indexOf(inside_.back()); }
-    // And beyond a surface of that material. enters: whether the way goes against its outward normal.
-    float indexBeyond(const materials::Dielectric& material, bool enters) const;
+    float index() const { return inside_.empty() ? 1.f : inside_.back()->index; }
+    // And beyond the surface of that interior. enters: whether the way goes against its outward normal.
+    float indexBeyond(const materials::Interior& interior, bool enters) const;
 
-    void cross(const materials::Dielectric& material, bool enters);
+    void cross(const materials::Interior& interior, bool enters);
     // A surface met from behind says what the way to it went through, also where its shape is open and no way in was
     // seen.
-    void meetFromInside(const materials::Dielectric& material);
+    void meetFromInside(const materials::Interior& interior);
 
     // Beer's law: what is left of light after a way of this length.
     core::Rgbf transmittance(float length) const {
@@ -30,16 +30,10 @@ public:
     core::Rgbf absorption() const { return inside_.empty() ? core::Rgbf(0) : inside_.back()->absorption; }
 
 private:
-    static float indexOf(const materials::Dielectric* material) { return static_cast<float>(material->index); }
-
-    std::vector<const materials::Dielectric*> inside_;  // in the order in which they were entered
+    std::vector<const materials::Interior*> inside_;  // in the order in which they were entered
 };
 
-// What a point is inside of: found by a ray from there to where nothing is any more.
-Media mediaAt(const core::Vec3f& point, const gr::Scene& scene, const gr::Accelerator& accelerator);
-
-// Takes the straight way from one point to the other. Returns how many rays that took.
-int goTo(Media& media, const core::Vec3f& from, const core::Vec3f& to, const gr::Scene& scene,
-         const gr::Accelerator& accelerator);
+// What a point is inside of.
+Media mediaAt(const core::Vec3f& point, const gr::Scene& scene);
 
 }  // namespace render

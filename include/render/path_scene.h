@@ -15,7 +15,7 @@ struct PathScene {
 
     const gr::Scene& scene;
     const gr::Accelerator& accelerator;
-    bool hasDielectrics = false;
+    bool hasInteriors = false;  // materials that paths go through
     bool hasAnisotropy = false;
     LightTree lights;
 

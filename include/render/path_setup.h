@@ -1,8 +1,8 @@
 // What the path integrator is given, whatever number of lanes it has.
 #pragma once
 
+#include "render/eye_media.h"
 #include "render/integrator.h"
-#include "render/media.h"
 #include "render/path_scene.h"
 
 namespace render {
@@ -13,8 +13,7 @@ struct PathSetup {
     int lightSamples;  // of each light that has places to draw, at each surface point, but where
     bool picksLights;  // chance picks which light a sample asks: then of all lights together
     core::Rgbf background, ambient;
-    core::Vec3f eye;
-    Media eyeMedia;  // what the eye is inside of
+    EyeMedia eyeMedia;
 };
 
 }  // namespace render

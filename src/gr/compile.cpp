@@ -165,8 +165,13 @@ private:
                     throw core::Error("SCENE", "RANGE", node.path(),
                                       "\"" + node.path() + "\" is too large, too small or too far away to be rendered");
         const auto [entry, isNew] = materialIndex_.try_emplace(material, scene_.materials.size());
-        if (isNew) scene_.materials.push_back(material != nullptr ? material->material : materials::Material{});
+        if (isNew) addMaterial(material != nullptr ? material->material : materials::Material{});
         instance.material = entry->second;
+    }
+
+    void addMaterial(const materials::Material& material) {
+        scene_.materials.push_back(material);
+        scene_.interiors.push_back(std::visit([](const auto& m) { return m.interior(); }, material));
     }
 
     const ObjectCounts& objects_;

@@ -85,28 +85,56 @@ Polyhedron::Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles)
     if (!mesh.normals.empty()) setNormals(mesh, triangles);
 }
 
+namespace {
+
+// The normals of a triangle's corners, outwards; and whether they are no more than its face's.
+struct CornerNormals {
+    std::array<core::Vec3f, 3> of;
+    bool areFlat;
+
+    // rounding: by how much a file's digits may have moved a vertex.
+    CornerNormals(const FlatMesh& mesh, const glm::ivec3& triangle, double rounding) {
+        const auto corner = [&](int k) { return mesh.vertices[mesh.corners[triangle[k]]]; };
+        const glm::dvec3 a = corner(1) - corner(0), b = corner(2) - corner(0), area = glm::cross(a, b);
+        const core::Vec3f flat(glm::normalize(area));
+        float outwards = 0;
+        for (int k = 0; k < 3; ++k) {
+            const PackedNormal packed = mesh.normals[triangle[k]];
+            of[k] = packed == noNormal ? core::Vec3f(0) : unpackNormal(packed);
+            outwards += glm::dot(of[k], flat);
+        }
+        for (core::Vec3f& normal : of) normal = normal == core::Vec3f(0) ? flat : outwards < 0 ? -normal : normal;
+
+        // Rounding turns a triangle about its longest edge, the more the thinner it is.
+        const double longest = std::max({glm::length(a), glm::length(b), glm::length(b - a)});
+        const double turned = 2 * rounding * longest / glm::length(area);
+        areFlat = areWithin(tenthOfADegree, flat) ||
+                  (areWithin(tenthOfADegree, of[0]) && areWithin(fiveDegrees + static_cast<float>(turned), flat));
+    }
+
+private:
+    static constexpr float tenthOfADegree = 1.75e-3f, fiveDegrees = 8.7e-2f;
+
+    bool areWithin(float angle, const core::Vec3f& direction) const {
+        return std::all_of(of.begin(), of.end(),
+                           [&](const core::Vec3f& normal) { return glm::distance(normal, direction) <= angle; });
+    }
+};
+
+}  // namespace
+
 void Polyhedron::setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles) {
+    constexpr double sixDigits = 1e-6;
+    const double rounding = sixDigits * bounds_.reach();
     normals_.resize(3 * triangles.size());
     std::atomic<bool> anyIsSmooth = false;
     inParts(static_cast<int>(triangles.size()), [&](int first, int end) {
         bool isSmooth = false;
         for (int i = first; i < end; ++i) {
-            const auto corner = [&](int k) { return mesh.vertices[mesh.corners[triangles[i][k]]]; };
-            const core::Vec3f flat(glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0))));
-            std::array<core::Vec3f, 3> normals;
-            float outwards = 0;
-            for (int k = 0; k < 3; ++k) {
-                const PackedNormal packed = mesh.normals[triangles[i][k]];
-                normals[k] = packed == noNormal ? core::Vec3f(0) : unpackNormal(packed);
-                outwards += glm::dot(normals[k], flat);
-            }
-            for (int k = 0; k < 3; ++k) {
-                const bool isGiven = normals[k] != core::Vec3f(0);
-                const core::Vec3f normal = !isGiven ? flat : outwards < 0 ? -normals[k] : normals[k];
-                normals_[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)] = packNormal(normal);
-                constexpr float cosineOfATenthDegree = 1 - 1.5e-6f;
-                isSmooth |= glm::dot(normal, flat) < cosineOfATenthDegree;
-            }
+            const CornerNormals normals(mesh, triangles[i], rounding);
+            isSmooth |= !normals.areFlat;
+            for (int k = 0; k < 3; ++k)
+                normals_[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(k)] = packNormal(normals.of[k]);
         }
         if (isSmooth) anyIsSmooth = true;
     });

@@ -2,6 +2,8 @@
 
 #include "gr/polyhedron_surface.h"
 
+#include <algorithm>
+
 namespace gr {
 
 core::Vec3f SurfacePoint::tangent() const {
@@ -51,6 +53,10 @@ SurfacePoint Scene::surfaceAt(const core::Rayf& ray, const Hit& hit) const {
     return surface;
 }
 
+bool Scene::hasInteriors() const {
+    return std::any_of(interiors.begin(), interiors.end(), [](const auto& interior) { return interior.has_value(); });
+}
+
 std::size_t Scene::objectCount() const {
     std::size_t count = instances.size();
     for (const auto& polyhedron : polyhedra) count += polyhedron->triangleCount();
@@ -60,7 +66,8 @@ std::size_t Scene::objectCount() const {
 std::size_t Scene::bytes() const {
     std::size_t bytes = instances.capacity() * sizeof(Instance) +
                         placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) +
-                        materials.capacity() * sizeof(materials::Material) + lights.bytes();
+                        materials.capacity() * sizeof(materials::Material) +
+                        interiors.capacity() * sizeof(interiors[0]) + lights.bytes();
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
     bytes += (faces.parallelograms.capacity() + faces.triangles.capacity()) * sizeof(Face) +
              (large.capacity() + bodies.capacity()) * sizeof(std::uint32_t);

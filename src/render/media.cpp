@@ -1,71 +1,72 @@
 #include "render/media.h"
 
+#include "gr/solid.h"
+
 #include <algorithm>
 
 namespace render {
 
-float Media::indexBeyond(const materials::Dielectric& material, bool enters) const {
-    if (enters) return indexOf(&material);
-    const bool staysInside = inside_.empty() || inside_.back() != &material;
+float Media::indexBeyond(const materials::Interior& interior, bool enters) const {
+    if (enters) return interior.index;
+    const bool staysInside = inside_.empty() || inside_.back() != &interior;
     if (staysInside) return index();
-    return inside_.size() == 1 ? 1.f : indexOf(inside_[inside_.size() - 2]);
+    return inside_.size() == 1 ? 1.f : inside_[inside_.size() - 2]->index;
 }
 
-void Media::cross(const materials::Dielectric& material, bool enters) {
+void Media::cross(const materials::Interior& interior, bool enters) {
     if (enters) {
-        inside_.push_back(&material);
+        inside_.push_back(&interior);
         return;
     }
-    const auto last = std::find(inside_.rbegin(), inside_.rend(), &material);
+    const auto last = std::find(inside_.rbegin(), inside_.rend(), &interior);
     if (last != inside_.rend()) inside_.erase(std::next(last).base());
 }
 
-void Media::meetFromInside(const materials::Dielectric& material) {
-    if (std::find(inside_.begin(), inside_.end(), &material) == inside_.end()) inside_.push_back(&material);
+void Media::meetFromInside(const materials::Interior& interior) {
+    if (std::find(inside_.begin(), inside_.end(), &interior) == inside_.end()) inside_.push_back(&interior);
 }
 
 namespace {
 
-struct Crossing {
-    const materials::Dielectric* material;
-    bool enters;
+// One time that a point is in a solid.
+struct Stay {
+    double exit;  // how far along the ray it ends
+    const materials::Interior* interior;
 };
 
-// The dielectrics' surfaces along a ray, whatever else is in the way, in their order.
-std::vector<Crossing> crossings(core::Rayf ray, const gr::Scene& scene, const gr::Accelerator& accelerator,
-                                int& rayCount) {
-    std::vector<Crossing> found;
-    for (;;) {
-        ++rayCount;
-        const std::optional<gr::Hit> hit = accelerator.intersect(ray);
-        if (!hit) return found;
-        const gr::SurfacePoint surface = scene.surfaceAt(ray, *hit);
-        const bool enters = glm::dot(ray.direction, surface.normal) < 0;
-        const auto* dielectric = std::get_if<materials::Dielectric>(surface.material);
-        if (dielectric != nullptr && surface.light == nullptr) found.push_back({dielectric, enters});
-        ray = {surface.offset(enters ? -surface.normal : surface.normal), ray.direction, ray.tMax - hit->t};
+// A ray's crossings of one solid come to this: each exit that no entry before it makes up for ends a stay at the ray's
+// start.
+void addStays(std::vector<gr::SolidCrossing>& crossings, const materials::Interior& interior,
+              std::vector<Stay>& stays) {
+    const auto isFarther = [](const auto& a, const auto& b) { return a.t > b.t; };
+    std::sort(crossings.begin(), crossings.end(), isFarther);
+    const std::size_t first = stays.size();
+    for (const gr::SolidCrossing& crossing : crossings) {
+        if (!crossing.enters)
+            stays.push_back({crossing.t, &interior});
+        else if (stays.size() > first)
+            stays.pop_back();
     }
 }
 
 }  // namespace
 
-Media mediaAt(const core::Vec3f& point, const gr::Scene& scene, const gr::Accelerator& accelerator) {
+Media mediaAt(const core::Vec3f& point, const gr::Scene& scene) {
     const core::Vec3f anyDirection(0.48f, 0.64f, 0.6f);
-    int rays = 0;
-    std::vector<Crossing> found = crossings({point, anyDirection}, scene, accelerator, rays);
-    // Come back, from outside of everything.
+    std::vector<Stay> stays;
+    std::vector<gr::SolidCrossing> crossings;
+    for (const gr::Instance& instance : scene.instances) {
+        const materials::Interior* interior = scene.interiorOf(instance.material);
+        if (interior == nullptr) continue;
+        crossings.clear();
+        gr::addCrossings(instance, {point, anyDirection}, crossings);
+        addStays(crossings, *interior, stays);
+    }
+    // What is left last was entered first.
+    std::stable_sort(stays.begin(), stays.end(), [](const Stay& a, const Stay& b) { return a.exit > b.exit; });
     Media media;
-    std::reverse(found.begin(), found.end());
-    for (const Crossing& crossing : found) media.cross(*crossing.material, !crossing.enters);
+    for (const Stay& stay : stays) media.cross(*stay.interior, true);
     return media;
-}
-
-int goTo(Media& media, const core::Vec3f& from, const core::Vec3f& to, const gr::Scene& scene,
-         const gr::Accelerator& accelerator) {
-    int rays = 0;
-    for (const Crossing& crossing : crossings({from, to - from, 1.f}, scene, accelerator, rays))
-        media.cross(*crossing.material, crossing.enters);
-    return rays;
 }
 
 }  // namespace render

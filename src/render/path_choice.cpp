@@ -89,9 +89,8 @@ std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr:
                     picksLights,
                     settings.background,
                     ambient,
-                    eye,
                     {}};
-    if (setup.scene.hasDielectrics) setup.eyeMedia = mediaAt(eye, scene, accelerator);
+    if (setup.scene.hasInteriors) setup.eyeMedia = EyeMedia(scene, eye, settings);
     return std::unique_ptr<Integrator>(choiceOf(settings.lanes).make(std::move(setup)));
 }
 

@@ -90,23 +90,19 @@ private:
         paths.ray.tMax = Real(core::infinity);
         paths.radiance = core::select(here, Rgb<Real>(Real(0)), paths.radiance);
         paths.throughput = core::select(here, Rgb<Real>(Real(1)), paths.throughput);
+        paths.indexSquared = core::select(here, Real(1), paths.indexSquared);
         paths.surfacePoints = core::select(here, Real(0), paths.surfacePoints);
         paths.pdfW = core::select(here, Real(core::infinity), paths.pdfW);
         paths.lightDraw = core::select(here, light, paths.lightDraw);
         paths.alive = paths.alive | here;
         rays.camera += static_cast<std::uint64_t>(std::popcount(begun));
-        if (scene_.hasDielectrics) startMedia(paths, begun, rays);
+        if (scene_.hasInteriors) startMedia(paths, begun);
     }
 
-    void startMedia(Paths<Real>& paths, std::uint32_t begun, RayCounts& rays) const {
+    void startMedia(Paths<Real>& paths, std::uint32_t begun) const {
         const core::LaneArray<Real> x(paths.ray.origin.x), y(paths.ray.origin.y), z(paths.ray.origin.z);
         core::forEachLane(begun, [&](int lane) {
-            const core::Vec3f origin(x[lane], y[lane], z[lane]);
-            Media& media = paths.media.change(lane);
-            media = setup_.eyeMedia;
-            if (origin != setup_.eye)
-                rays.camera +=
-                    static_cast<std::uint64_t>(goTo(media, setup_.eye, origin, scene_.scene, scene_.accelerator));
+            paths.media.change(lane) = setup_.eyeMedia.at({x[lane], y[lane], z[lane]});
         });
         paths.media.update();
     }
@@ -122,7 +118,7 @@ private:
         if (!samples.first.empty()) tellFirst(paths, points, camera.depth(paths.ray, surface.t), isMet, samples);
 
         // On the way there a medium absorbs.
-        if (scene_.hasDielectrics) {
+        if (scene_.hasInteriors) {
             meetFromInside(paths, points);
             paths.throughput *= paths.media.transmittance(surface.t);
         }
@@ -156,21 +152,24 @@ private:
         const UInt number = core::toUInt(paths.surfacePoints);
         const Point4<Real> u = paths.random.point(PathNumbers<Real>::way(number));
         const Point4<Real> more = paths.random.point(PathNumbers<Real>::method(number));
-        const BsdfSample<Real> next = sampled(paths, points, {more[0], {u[0], u[1]}});
+        const Real indexBeyond = scene_.hasInteriors ? indicesBeyond(paths, points) : Real(1);
+        const BsdfSample<Real> next = sampled(points, {more[0], {u[0], u[1]}}, indexBeyond);
+        const Mask<Real> isThrough = next.wi.z < Real(0);
         const Vec3<Real> direction = points.frame.toWorld(next.wi);
         paths.lightDraw = Vec3<Real>(u[2], u[3], more[2]);
         paths.throughput *= next.weight;
         paths.alive = paths.alive & next.valid & !points.isOnWrongSide(direction, next.wi);
 
         // Of those that carry less than a third of the light that they could, end some at random, and let the others
-        // count for them (Russian roulette).
-        const Rgb<Real>& left = paths.throughput;
+        // count for them (Russian roulette). What refraction takes from radiance does not count: it gives it back where
+        // the path comes out again.
+        paths.indexSquared *= core::select(isThrough, indexBeyond * indexBeyond, Real(1));
+        const Rgb<Real> left = paths.throughput * paths.indexSquared;
         const Real survival = core::min(core::max(left.x, core::max(left.y, left.z)) * Real(3), Real(1));
         paths.alive = paths.alive & (more[1] < survival);
         paths.throughput /= core::select(paths.alive, survival, Real(1));
 
-        const Mask<Real> isThrough = next.wi.z < Real(0);
-        if (scene_.hasDielectrics) crossSurfaces(paths, points, isThrough);
+        if (scene_.hasInteriors) crossSurfaces(paths, points, isThrough);
         paths.ray.origin = points.offset(core::select(isThrough, -points.normal, points.normal));
         paths.ray.direction = direction;
         const Real zeroOrAll = core::select(next.isLit, Real(0), Real(core::infinity));
@@ -198,9 +197,8 @@ private:
         });
     }
 
-    BsdfSample<Real> sampled(const Paths<Real>& paths, const ShadingPoints<Real>& points,
-                             const materials::BsdfDraw<Real>& u) const {
-        const Real indexBeyond = scene_.hasDielectrics ? indicesBeyond(paths, points) : Real(1);
+    BsdfSample<Real> sampled(const ShadingPoints<Real>& points, const materials::BsdfDraw<Real>& u,
+                             const Real& indexBeyond) const {
         BsdfSample<Real> next{{Real(0), Real(0), Real(1)},
                               Rgb<Real>(Real(0)),
                               Real(0),
@@ -214,20 +212,19 @@ private:
         return next;
     }
 
-    // Calls f(lane, dielectric) for the lanes of a mask where there is one.
+    // Calls f(lane, interior) for the lanes of a mask whose surface has one.
     template<class F>
-    void forEachDielectric(const ShadingPoints<Real>& points, std::uint32_t lanes, F&& f) const {
+    void forEachInterior(const ShadingPoints<Real>& points, std::uint32_t lanes, F&& f) const {
         const core::LaneArray<Real> material(points.surface.material);
         core::forEachLane(lanes & points.lanes, [&](int lane) {
-            const auto& bsdf = scene_.scene.materials[static_cast<std::size_t>(material[lane])];
-            if (const auto* dielectric = std::get_if<materials::Dielectric>(&bsdf)) f(lane, *dielectric);
+            if (const auto* interior = scene_.scene.interiorOf(static_cast<std::uint32_t>(material[lane])))
+                f(lane, *interior);
         });
     }
 
     void meetFromInside(Paths<Real>& paths, const ShadingPoints<Real>& points) const {
-        forEachDielectric(points, ~core::bitsOf(points.fromOutside), [&](int lane, const auto& dielectric) {
-            paths.media.change(lane).meetFromInside(dielectric);
-        });
+        forEachInterior(points, ~core::bitsOf(points.fromOutside),
+                        [&](int lane, const auto& interior) { paths.media.change(lane).meetFromInside(interior); });
         paths.media.update();
     }
 
@@ -235,17 +232,17 @@ private:
     Real indicesBeyond(const Paths<Real>& paths, const ShadingPoints<Real>& points) const {
         core::LaneArray<Real> index(Real(1));
         const std::uint32_t fromOutside = core::bitsOf(points.fromOutside);
-        forEachDielectric(points, allLanes, [&](int lane, const auto& dielectric) {
+        forEachInterior(points, allLanes, [&](int lane, const auto& interior) {
             const Media& media = paths.media.at(lane);
-            index[lane] = media.indexBeyond(dielectric, fromOutside >> lane & 1) / media.index();
+            index[lane] = media.indexBeyond(interior, fromOutside >> lane & 1) / media.index();
         });
         return index.real();
     }
 
     void crossSurfaces(Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isThrough) const {
         const std::uint32_t fromOutside = core::bitsOf(points.fromOutside);
-        forEachDielectric(points, core::bitsOf(isThrough & paths.alive), [&](int lane, const auto& dielectric) {
-            paths.media.change(lane).cross(dielectric, fromOutside >> lane & 1);
+        forEachInterior(points, core::bitsOf(isThrough & paths.alive), [&](int lane, const auto& interior) {
+            paths.media.change(lane).cross(interior, fromOutside >> lane & 1);
         });
         paths.media.update();
     }

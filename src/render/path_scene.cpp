@@ -3,9 +3,8 @@
 namespace render {
 
 PathScene::PathScene(const gr::Scene& scene, const gr::Accelerator& accelerator)
-    : scene(scene), accelerator(accelerator), lights(scene.lights) {
+    : scene(scene), accelerator(accelerator), hasInteriors(scene.hasInteriors()), lights(scene.lights) {
     for (const materials::Material& material : scene.materials) {
-        hasDielectrics |= std::holds_alternative<materials::Dielectric>(material);
         hasAnisotropy |= std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, material);
     }
 }

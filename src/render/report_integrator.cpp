@@ -1,8 +1,6 @@
 #include "core/frame.h"
+#include "render/eye_media.h"
 #include "render/integrator.h"
-#include "render/media.h"
-
-#include <algorithm>
 
 namespace render {
 namespace {
@@ -11,7 +9,7 @@ using core::Rayf;
 using core::Rgbf;
 using core::Vec3f;
 using materials::BsdfSample;
-using materials::Dielectric;
+using materials::Interior;
 
 core::Frame<float> frameOf(const gr::SurfacePoint& surface, const Vec3f& normal) {
     const bool isAnisotropic = std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, *surface.material);
@@ -25,7 +23,7 @@ struct ShadingPoint {
     Vec3f normal;
     core::Frame<float> frame;  // round the shading normal
     Vec3f wo;  // back along the path, in the frame
-    const Dielectric* dielectric;  // null for what is opaque: there both sides are alike
+    const Interior* interior;  // null for what is opaque: there both sides are alike
 
     ShadingPoint(const gr::Scene& scene, const Rayf& ray, const gr::Hit& hit)
         : surface(scene.surfaceAt(ray, hit)),
@@ -33,7 +31,7 @@ struct ShadingPoint {
           normal(fromOutside ? surface.normal : -surface.normal),
           frame(frameOf(surface, fromOutside ? surface.shadingNormal() : -surface.shadingNormal())),
           wo(frame.toLocal(-ray.direction)),
-          dielectric(std::get_if<Dielectric>(surface.material)) {}
+          interior(scene.interiorOf(surface.instance->material)) {}
 
     // f * |cos| towards light in a direction of the world.
     Rgbf eval(const Vec3f& direction) const {
@@ -45,8 +43,7 @@ struct ShadingPoint {
     BsdfSample<float> sample(Sampler& sampler, const Media& media) const {
         const float method = sampler.next1D();
         const core::Vec2f place = sampler.next2D();
-        const float indexBeyond =
-            dielectric == nullptr ? 1 : media.indexBeyond(*dielectric, fromOutside) / media.index();
+        const float indexBeyond = interior == nullptr ? 1 : media.indexBeyond(*interior, fromOutside) / media.index();
         const auto draw = [&](const auto& bsdf) {
             return bsdf.template sample<float>(wo, {method, place}, indexBeyond);
         };
@@ -83,17 +80,13 @@ public:
           lightSamples_(settings.samplesPerLightSource),
           background_(settings.background),
           ambient_(ambient),
-          eye_(eye),
-          hasDielectrics_(std::any_of(scene.materials.begin(), scene.materials.end(),
-                                      [](const auto& m) { return std::holds_alternative<Dielectric>(m); })) {
-        if (hasDielectrics_) eyeMedia_ = mediaAt(eye, scene, accelerator);
-    }
+          eyeMedia_(scene, eye, settings) {}
 
     Rgbf radiance(const Rayf& cameraRay, Sampler& sampler, RayCounts& rays, FirstSurface* first) const override {
         Rgbf radiance(0);
         Rgbf throughput(1);  // what is left of light that comes along `ray`, when it arrives at the eye
         Rayf ray = cameraRay;
-        Media media = mediaWhere(cameraRay.origin, rays);
+        Media media = eyeMedia_.at(cameraRay.origin);
         bool countsEmission = true;  // false after a bounce for which lights were sampled already
         ++rays.camera;
         for (int surfacePoints = 1;; ++surfacePoints) {
@@ -104,7 +97,7 @@ public:
             if (surfacePoints == 1 && first != nullptr) *first = {hit->t, point.albedo(), point.frame.z};
 
             // On the way there a medium absorbs.
-            if (point.dielectric != nullptr && !point.fromOutside) media.meetFromInside(*point.dielectric);
+            if (point.interior != nullptr && !point.fromOutside) media.meetFromInside(*point.interior);
             throughput *= media.transmittance(hit->t);
 
             // A path ends at a light. Its back is dark.
@@ -123,20 +116,13 @@ public:
             throughput *= next.weight;
             if (throughput == Rgbf(0)) return radiance;
             countsEmission = !next.isLit;
-            if (next.wi.z < 0) media.cross(*point.dielectric, point.fromOutside);
+            if (next.wi.z < 0 && point.interior != nullptr) media.cross(*point.interior, point.fromOutside);
             ray = point.rayTowards(next.wi);
             count(rays, next);
         }
     }
 
 private:
-    Media mediaWhere(const Vec3f& origin, RayCounts& rays) const {
-        Media media = eyeMedia_;
-        if (hasDielectrics_ && origin != eye_)
-            rays.camera += static_cast<std::uint64_t>(goTo(media, eye_, origin, scene_, accelerator_));
-        return media;
-    }
-
     Rgbf directLight(const ShadingPoint& point, const Media& media, Sampler& sampler, RayCounts& rays) const {
         Rgbf sum(0);
         const Vec3f start = point.surface.offset(point.normal);
@@ -170,9 +156,7 @@ private:
     int lightSamples_;
     Rgbf background_;
     Rgbf ambient_;
-    Vec3f eye_;
-    bool hasDielectrics_;
-    Media eyeMedia_;  // what the eye is inside of
+    EyeMedia eyeMedia_;
 };
 
 }  // namespace

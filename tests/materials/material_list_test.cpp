@@ -39,6 +39,15 @@ TEST(MaterialList, HasAlbedosFromBlackToWhite) {
     });
 }
 
+// What light goes through has something behind its surface, and nothing else has. Seen to fail with a dielectric
+// without.
+TEST(MaterialList, HasInteriorsBehindWhatRefracts) {
+    forEachMaterialType([]<class M>() {
+        for (const M& material : parameterSets<M>())
+            EXPECT_EQ(material.interior().has_value(), M::canSample[2]) << M::typeName;
+    });
+}
+
 template<class M>
 class MaterialOptions : public testing::Test {};
 TYPED_TEST_SUITE(MaterialOptions, EveryMaterial, MaterialName);
