@@ -1,4 +1,4 @@
-# The Cornell box with the numbers of the reference pictures: reference-a.gr and reference-bas.gr share it.
+# The Cornell box with the numbers of the reference pictures: reference-a.gr, -bas.gr, -d.gr and -e.gr share it.
 
 source [file join [file dirname [info script]] cornell.tcl]
 
@@ -8,7 +8,8 @@ namespace eval reference {
     }
 
     # Every path may meet `depth` surfaces. The samples lie all over the pixel: its value is the mean over its square.
-    proc render {file depth} {
-        cornell::render $file 256 globalillumination on antialiasing on pathlength $depth samplesperpixel 256 exposure 1
+    proc render {file depth args} {
+        cornell::render $file 256 globalillumination on antialiasing on pathlength $depth samplesperpixel 256 exposure 1 \
+            {*}$args
     }
 }
