@@ -9,7 +9,7 @@ namespace eval reference {
 
     # Every path may meet `depth` surfaces. The samples lie all over the pixel: its value is the mean over its square.
     proc render {file depth args} {
-        cornell::render $file 256 globalillumination on antialiasing on pathlength $depth samplesperpixel 256 exposure 1 \
-            {*}$args
+        cornell::render $file 256 globalillumination on antialiasing on pathlength $depth samplesperpixel 256 \
+            exposure 1 {*}$args
     }
 }
