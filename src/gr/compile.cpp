@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace gr {
 namespace {
@@ -56,6 +57,7 @@ public:
             open_.pop_back();
             expand(visit);
         }
+        liftLamps();
         return std::move(scene_);
     }
 
@@ -100,20 +102,72 @@ private:
     }
     void add(const AreaLightNode& light, const glm::dmat4& matrix) {
         const glm::dmat4 place = glm::scale(glm::translate(matrix, light.centre), glm::dvec3(light.size));
-        addInstance(Square{static_cast<std::uint32_t>(scene_.lights.of<AreaLight>().size())}, place, Square::extent);
-        const Instance& instance = scene_.instances.back();
+        const auto number = static_cast<std::uint32_t>(scene_.lights.of<AreaLight>().size());
+        addInstance(Square{number}, place, Square::extent);
+        scene_.lights.of<AreaLight>().push_back(lampAt(place, light.radiance, scene_.instances.back()));
+        lamps_.push_back({scene_.instances.size() - 1, place});
+    }
 
+    // A plane's normal goes by the transposed inverse, which keeps it on the same side of the plane.
+    static glm::dvec3 normalOf(const glm::dmat4& place) {
+        return glm::normalize(glm::transpose(glm::inverse(glm::dmat3(place))) * glm::dvec3(0, -1, 0));
+    }
+
+    static AreaLight lampAt(const glm::dmat4& place, const core::Rgbf& radiance, const Instance& instance) {
         const core::Vec3f edge1(place[0]), edge2(place[2]);
         const core::Vec3f corner(place * glm::dvec4(-0.5, 0, -0.5, 1));
-        // A plane's normal goes by the transposed inverse, which keeps it on the same side of the plane.
-        const core::Vec3f normal(
-            glm::normalize(glm::transpose(glm::inverse(glm::dmat3(place))) * glm::dvec3(0, -1, 0)));
         const float area = static_cast<float>(glm::length(glm::cross(glm::dvec3(place[0]), glm::dvec3(place[2]))));
         const float size =
             core::largestComponent(corner) + core::largestComponent(edge1) + core::largestComponent(edge2);
-        scene_.lights.of<AreaLight>().push_back({corner, edge1, edge2, normal, light.radiance, area,
-                                                 instance.error + instance.errorPerUnit() * size,
-                                                 instance.errorPerUnit()});
+        return {corner,
+                edge1,
+                edge2,
+                core::Vec3f(normalOf(place)),
+                radiance,
+                area,
+                instance.error + instance.errorPerUnit() * size,
+                instance.errorPerUnit()};
+    }
+
+    // A lamp in the very plane of a ceiling, or two lamps back to back: which of them a ray meets would be up to
+    // rounding. So a lamp that touches something is lifted off it, to the side to which it shines, by more than rounding
+    // moves the place where rays meet either: 2^-24 of the coordinates on the way there, a few times over.
+    void liftLamps() {
+        if (lamps_.empty()) return;
+        std::vector<core::Bounds> boxes;
+        for (const Instance& instance : scene_.instances) boxes.push_back(instance.bounds());
+        std::vector<std::uint32_t> farthest(boxes.size());
+        std::iota(farthest.begin(), farthest.end(), 0u);
+        const auto middle = farthest.begin() + static_cast<std::ptrdiff_t>(std::min(farthest.size(), mostLookedAt));
+        const auto isFarther = [&](std::uint32_t a, std::uint32_t b) {
+            return boxes[a].reach() != boxes[b].reach() ? boxes[a].reach() > boxes[b].reach() : a < b;
+        };
+        std::partial_sort(farthest.begin(), middle, farthest.end(), isFarther);
+        for (std::size_t i = 0; i < lamps_.size(); ++i) {
+            const Lamp& lamp = lamps_[i];
+            const float reach = reachOfTouching(lamp.instance, boxes, farthest);
+            if (reach == 0) continue;
+            const glm::dmat4 place =
+                glm::translate(glm::dmat4(1), normalOf(lamp.place) * (0x1p-19 * reach)) * lamp.place;
+            Instance& instance = scene_.instances[lamp.instance];
+            const glm::dmat4 inverse = glm::inverse(place);
+            const RowSums sums(place, inverse);
+            instance.place = placementOf(place, inverse, sums);
+            instance.error = errorOf(place, sums, Square::extent);
+            AreaLight& light = scene_.lights.of<AreaLight>()[i];
+            light = lampAt(place, light.radiance, instance);
+        }
+    }
+
+    // The largest coordinate of what a lamp touches, or 0. Of many objects only those that reach farthest are looked at;
+    // none of the others reaches farther than the last of those.
+    static float reachOfTouching(std::size_t lamp, const std::vector<core::Bounds>& boxes,
+                                 const std::vector<std::uint32_t>& farthest) {
+        const std::size_t count = std::min(farthest.size(), mostLookedAt);
+        for (std::size_t i = 0; i < count; ++i)
+            if (farthest[i] != lamp && !boxes[farthest[i]].intersection(boxes[lamp]).isEmpty())
+                return std::max(boxes[farthest[i]].reach(), boxes[lamp].reach());
+        return count == farthest.size() ? 0 : boxes[farthest[count - 1]].reach();
     }
 
     void addInstance(Shape shape, const glm::dmat4& matrix, float extent) {
@@ -174,8 +228,15 @@ private:
         scene_.interiors.push_back(std::visit([](const auto& m) { return m.interior(); }, material));
     }
 
+    struct Lamp {
+        std::size_t instance;
+        glm::dmat4 place;
+    };
+    static constexpr std::size_t mostLookedAt = 64;
+
     const ObjectCounts& objects_;
     Scene scene_;
+    std::vector<Lamp> lamps_;
     std::vector<Visit> open_;
     std::unordered_map<const NamedMaterial*, std::uint32_t> materialIndex_;
     std::unordered_set<const Polyhedron*> polyhedra_;
