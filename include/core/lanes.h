@@ -131,8 +131,8 @@ xsimd::batch<std::uint32_t, Arch> toUInt(const xsimd::batch<float, Arch>& x) {
     return xsimd::bitwise_cast<xsimd::batch<std::uint32_t, Arch>>(xsimd::to_int(x));
 }
 
-// The same bits as a number of the other kind: whole numbers go through select and gather as Reals, which never looks at
-// what they are.
+// The same bits as a number of the other kind: whole numbers go through select and gather as Reals, which never looks
+// at what they are.
 inline float bitsAsReal(std::uint32_t i) {
     return std::bit_cast<float>(i);
 }

@@ -24,8 +24,10 @@ struct InstancesByShape {
     template<class F>
     void forEach(F&& f) const {
         [&]<std::size_t... i>(std::index_sequence<i...>) {
-            ((lists[i].empty() || (f(std::type_identity<std::variant_alternative_t<i, Shape>>(), lists[i]), true)), ...);
-        }(std::make_index_sequence<std::variant_size_v<Shape>>());
+            ((lists[i].empty() || (f(std::type_identity<std::variant_alternative_t<i, Shape>>(), lists[i]), true)),
+             ...);
+        }
+        (std::make_index_sequence<std::variant_size_v<Shape>>());
     }
 };
 

@@ -132,8 +132,7 @@ private:
         surface.error = core::select(here, error, surface.error);
         surface.material = core::select(here, row.number(offsetof(Face, material)), surface.material);
         surface.light = core::select(here, row.number(offsetof(Face, light)), surface.light);
-        if (wantsTangents)
-            surface.tangent = core::select(here, row.vector(offsetof(Face, tangent)), surface.tangent);
+        if (wantsTangents) surface.tangent = core::select(here, row.vector(offsetof(Face, tangent)), surface.tangent);
     }
 
     const FaceList& faces_;

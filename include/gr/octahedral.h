@@ -33,9 +33,8 @@ core::Vec3<Real> unpackNormal(const core::UInt<Real>& packed) {
     const Real z = one - core::abs(u) - core::abs(v);
     const Real foldedU = one - core::abs(v), foldedV = one - core::abs(u);
     const core::Mask<Real> isFolded = z < zero;
-    return glm::normalize(core::Vec3<Real>(
-        core::select(isFolded, core::select(u < zero, -foldedU, foldedU), u),
-        core::select(isFolded, core::select(v < zero, -foldedV, foldedV), v), z));
+    return glm::normalize(core::Vec3<Real>(core::select(isFolded, core::select(u < zero, -foldedU, foldedU), u),
+                                           core::select(isFolded, core::select(v < zero, -foldedV, foldedV), v), z));
 }
 inline core::Vec3f unpackNormal(PackedNormal packed) {
     return unpackNormal<float>(packed);

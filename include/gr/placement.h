@@ -8,8 +8,8 @@
 
 namespace gr {
 
-// Scales along the axes, then moves. The same bits as an AffineMap's, but for the sign of a zero. Coefficient: float, or
-// a batch with another map in each lane.
+// Scales along the axes, then moves. The same bits as an AffineMap's, but for the sign of a zero. Coefficient: float,
+// or a batch with another map in each lane.
 template<class Coefficient>
 struct AlignedMapOf {
     core::Vec3<Coefficient> scale, translation;

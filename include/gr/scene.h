@@ -127,8 +127,8 @@ public:
     std::vector<std::optional<materials::Interior>> interiors;  // of the materials
     Lights lights;
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
-    // What many rays at once are tested against, one after the other: the flat faces, if there are few, and some objects
-    // that are about as large as all others together. The others are for the accelerator. Indices of instances.
+    // What many rays at once are tested against, one after the other: the flat faces, if there are few, and some
+    // objects that are about as large as all others together. The others are for the accelerator. Indices of instances.
     FaceList faces;
     std::vector<std::uint32_t> large, bodies;
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/frame.h"
-#include "render/lane_media.h"
 #include "gr/tracer.h"
+#include "render/lane_media.h"
 #include "render/owen_sobol.h"
 
 namespace render {

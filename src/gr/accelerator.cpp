@@ -17,7 +17,8 @@ struct Row {
 constexpr std::array<Row, 5> rows{{
     {"off", [](const Scene& scene, Objects objects, int, bool) { return makeNoAccelerator(scene, objects); }},
     {"on", [](const Scene& s, Objects objects, int threads, bool) { return makeGridAccelerator(s, objects, threads); }},
-    {"grid", [](const Scene& s, Objects objects, int threads, bool) { return makeGridAccelerator(s, objects, threads); }},
+    {"grid",
+     [](const Scene& s, Objects objects, int threads, bool) { return makeGridAccelerator(s, objects, threads); }},
     {"embree",
      [](const Scene& s, Objects objects, int threads, bool) { return makeEmbreeAccelerator(s, objects, threads); }},
     {"auto", makeFastestAccelerator},

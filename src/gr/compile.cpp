@@ -130,8 +130,8 @@ private:
     }
 
     // A lamp in the very plane of a ceiling, or two lamps back to back: which of them a ray meets would be up to
-    // rounding. So a lamp that touches something is lifted off it, to the side to which it shines, by more than rounding
-    // moves the place where rays meet either: 2^-24 of the coordinates on the way there, a few times over.
+    // rounding. So a lamp that touches something is lifted off it, to the side to which it shines, by more than
+    // rounding moves the place where rays meet either: 2^-24 of the coordinates on the way there, a few times over.
     void liftLamps() {
         if (lamps_.empty()) return;
         std::vector<core::Bounds> boxes;
@@ -159,8 +159,8 @@ private:
         }
     }
 
-    // The largest coordinate of what a lamp touches, or 0. Of many objects only those that reach farthest are looked at;
-    // none of the others reaches farther than the last of those.
+    // The largest coordinate of what a lamp touches, or 0. Of many objects only those that reach farthest are looked
+    // at; none of the others reaches farther than the last of those.
     static float reachOfTouching(std::size_t lamp, const std::vector<core::Bounds>& boxes,
                                  const std::vector<std::uint32_t>& farthest) {
         const std::size_t count = std::min(farthest.size(), mostLookedAt);
@@ -277,7 +277,8 @@ void sortForManyRays(Scene& scene) {
     std::vector<core::Bounds> boxes(scene.bodies.size());
     std::transform(scene.bodies.begin(), scene.bodies.end(), boxes.begin(),
                    [&](std::uint32_t i) { return scene.instances[i].bounds(); });
-    while (scene.large.size() < mostLarge && takeLargest(scene, boxes)) {}
+    while (scene.large.size() < mostLarge && takeLargest(scene, boxes)) {
+    }
     std::sort(scene.large.begin(), scene.large.end());
 }
 

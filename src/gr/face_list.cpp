@@ -79,12 +79,13 @@ private:
         const bool isTurned = glm::dot(side, light.normal) < 0;
         const glm::dvec3 corner(light.corner), end1(corner + glm::dvec3(light.edge1)),
             end2(corner + glm::dvec3(light.edge2));
-        return addFace(list_.parallelograms, instance, isTurned ? Corners{corner, end2, end1} : Corners{corner, end1, end2},
-                static_cast<int>(square.light));
+        return addFace(list_.parallelograms, instance,
+                       isTurned ? Corners{corner, end2, end1} : Corners{corner, end1, end2},
+                       static_cast<int>(square.light));
     }
 
-    // c: counterclockwise as seen from the normal's side. Refuses a needle: a face is tested a hair too large, by so much
-    // of its length that a needle, many times as long as wide, would be much too wide.
+    // c: counterclockwise as seen from the normal's side. Refuses a needle: a face is tested a hair too large, by so
+    // much of its length that a needle, many times as long as wide, would be much too wide.
     bool addFace(std::vector<Face>& faces, const Instance& instance, const Corners& c, int light) {
         const glm::dvec3 edge1 = c[1] - c[0], edge2 = c[2] - c[0], across = glm::cross(edge1, edge2);
         const double square = glm::dot(across, across);

@@ -8,13 +8,15 @@ namespace {
 class GridAccelerator final : public TwoLevelAccelerator<Grid> {
 public:
     GridAccelerator(const Scene& scene, Objects objects, int threads)
-        : TwoLevelAccelerator(scene, objects, [threads](std::uint32_t count, const BoundsOf& boundsOf, float errorPerUnit) {
-              std::vector<core::Bounds> bounds(count);
-              inParts(static_cast<int>(count), threads, [&](int first, int end) {
-                  for (int i = first; i < end; ++i) bounds[i] = boundsOf(static_cast<std::uint32_t>(i));
-              });
-              return std::make_unique<Grid>(bounds, errorPerUnit, threads);
-          }) {}
+        : TwoLevelAccelerator(scene, objects,
+                              [threads](std::uint32_t count, const BoundsOf& boundsOf, float errorPerUnit) {
+                                  std::vector<core::Bounds> bounds(count);
+                                  inParts(static_cast<int>(count), threads, [&](int first, int end) {
+                                      for (int i = first; i < end; ++i)
+                                          bounds[i] = boundsOf(static_cast<std::uint32_t>(i));
+                                  });
+                                  return std::make_unique<Grid>(bounds, errorPerUnit, threads);
+                              }) {}
 
     bool isEven(std::size_t objectCount) const { return meshes().empty() && objects().isEven(objectCount); }
 

@@ -20,8 +20,7 @@ struct PacksOf<std::variant<const Polyhedron*, Shapes...>> {
 class NoAccelerator final : public Accelerator {
 public:
     NoAccelerator(const Scene& scene, Objects objects) : scene_(scene) {
-        for (const std::uint32_t i : objects)
-            std::visit([&](auto shape) { add(i, shape); }, scene.instances[i].shape);
+        for (const std::uint32_t i : objects) std::visit([&](auto shape) { add(i, shape); }, scene.instances[i].shape);
     }
 
     std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const override {

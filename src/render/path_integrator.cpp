@@ -31,7 +31,10 @@ template<class Real>
 class PathIntegrator final : public Integrator {
 public:
     explicit PathIntegrator(PathSetup&& setup)
-        : setup_(std::move(setup)), scene_(setup_.scene), tracer_(scene_.scene, scene_.accelerator, scene_.hasAnisotropy), lights_(setup_, tracer_) {}
+        : setup_(std::move(setup)),
+          scene_(setup_.scene),
+          tracer_(scene_.scene, scene_.accelerator, scene_.hasAnisotropy),
+          lights_(setup_, tracer_) {}
 
     std::size_t bytes() const override { return scene_.bytes(); }
 

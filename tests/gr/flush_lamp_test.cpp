@@ -55,9 +55,15 @@ private:
     }
     void addCeiling(Database& database) const {
         switch (GetParam()) {
-            case 0: database.create(":room", "ceiling", BoxNode{{-500, 2, -500}, {1000, 10, 1000}}); break;
-            case 1: database.create(":room", "ceiling", polygon()); break;
-            case 2: database.create(":room", "ceiling", fineGrid()); break;
+            case 0:
+                database.create(":room", "ceiling", BoxNode{{-500, 2, -500}, {1000, 10, 1000}});
+                break;
+            case 1:
+                database.create(":room", "ceiling", polygon());
+                break;
+            case 2:
+                database.create(":room", "ceiling", fineGrid());
+                break;
             default:
                 database.create(":room", "other", AreaLightNode{core::Rgbf(2), {0, 2, 0}, 100});
                 database.scale(":room:other", {0, 2, 0}, {1, -1, 1});

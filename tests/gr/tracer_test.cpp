@@ -1,8 +1,8 @@
 // What the tracer finds is what the accelerators find by themselves: the same surfaces, no leak, nothing in the way of
-// light; and it finds the same bits whichever accelerator it asks. GRSH_TEST_RAYS=40 traces 10^8 rays. Seen to fail with
-// faces a hair too small, with places that keep no margin to the edges, with no more than a fixed hair for faces that are
-// seen from afar, with no face that blocks, with boxes of the tree that have no slack, and with ties that the last one
-// wins.
+// light; and it finds the same bits whichever accelerator it asks. GRSH_TEST_RAYS=40 traces 10^8 rays. Seen to fail
+// with faces a hair too small, with places that keep no margin to the edges, with no more than a fixed hair for faces
+// that are seen from afar, with no face that blocks, with boxes of the tree that have no slack, and with ties that the
+// last one wins.
 #include "gr/tracer.h"
 
 #include "gr/accelerator_checks.h"
@@ -127,8 +127,7 @@ void expectClosed(const PolygonMesh& mesh, double distance, int rays) {
     const OneLane lane(scene);
     Violations missed, seenFromWithin;
     for (int i = 0; i < rays; ++i) {
-        const glm::dvec3 origin =
-            distance == 0 ? randomPoint(random, -0.5, 0.5) : randomDirection(random) * distance;
+        const glm::dvec3 origin = distance == 0 ? randomPoint(random, -0.5, 0.5) : randomDirection(random) * distance;
         const Vec3f from(transformed(matrix, origin));
         // A third of them to a corner, a third to an edge.
         const auto& face = mesh.faces[static_cast<std::size_t>(random.next() * static_cast<double>(mesh.faces.size()))];
@@ -276,8 +275,9 @@ TEST(Tracer, FindsTheSameBitsWithEachAccelerator) {
             met += expected.t < core::infinity ? 1 : 0;
             for (const OneLane* other : {&grid, &tree}) {
                 const Hit found = other->hit(ray);
-                const bool isSameHit = expected.t == core::infinity ? found.t == core::infinity
-                                                                    : isSame(std::optional(expected), std::optional(found));
+                const bool isSameHit = expected.t == core::infinity
+                                           ? found.t == core::infinity
+                                           : isSame(std::optional(expected), std::optional(found));
                 if (!isSameHit) wrong.add(other == &grid ? "grid: " : "tree: ", text(found), ", off: ", text(expected));
                 if (other->occluded(ray) != off.occluded(ray)) wrong.add("occluded otherwise");
             }

@@ -29,8 +29,8 @@ struct Converged {
     const char* scene;
     const char* options;
     double tolerance;  // of the whole picture's mean
-    int samples;       // of each of the pictures that are compared with it
-    double noise;      // their relMSE, which the README there explains, as it was measured
+    int samples;  // of each of the pictures that are compared with it
+    double noise;  // their relMSE, which the README there explains, as it was measured
 };
 
 // What chance may do to `noise`: other random numbers change it by a few per cent.

@@ -1,5 +1,5 @@
-// What a tree's leaves hold: up to eight triangles of a mesh, up to eight objects of a kind, side by side, so that one ray
-// is tested against all of them at once, or one instance of a mesh.
+// What a tree's leaves hold: up to eight triangles of a mesh, up to eight objects of a kind, side by side, so that one
+// ray is tested against all of them at once, or one instance of a mesh.
 #pragma once
 
 #include "gr/accelerators/wide_tree.h"
@@ -36,8 +36,7 @@ struct ShapePack : ObjectPack {
     alignas(32) float objectFromWorld[rows][treeWidth];
 
     void set(int place, const Map<float>& map) {
-        for (int row = 0; row < rows; ++row)
-            objectFromWorld[row][place] = reinterpret_cast<const float*>(&map)[row];
+        for (int row = 0; row < rows; ++row) objectFromWorld[row][place] = reinterpret_cast<const float*>(&map)[row];
     }
 
     // The t of those from place `first` on, as many as there are lanes, or infinity.
@@ -66,9 +65,11 @@ bool visitPack(Pack& pack, F&& f) {
     };
     bool result = false;
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-        ((pack.kind / 2 == i && (result = visitShape(std::type_identity<std::variant_alternative_t<i, Shape>>()), true)) ||
+        ((pack.kind / 2 == i &&
+          (result = visitShape(std::type_identity<std::variant_alternative_t<i, Shape>>()), true)) ||
          ...);
-    }(std::make_index_sequence<std::variant_size_v<Shape>>());
+    }
+    (std::make_index_sequence<std::variant_size_v<Shape>>());
     return result;
 }
 

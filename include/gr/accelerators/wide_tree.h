@@ -12,8 +12,6 @@
 
 struct RTCBVHTy;
 
-
-
 namespace gr {
 
 // What a child of a node is: another node, a leaf, or nothing. Nodes and leaves lie at multiples of 64 bytes, so that
@@ -53,8 +51,8 @@ static_assert(sizeof(TreeNode) == 256);
 
 class WideTree {
 public:
-    // A leaf of the items, at most treeWidth of them, or a node over leaves, put into memory that allocate(bytes) gives, at
-    // a multiple of 64. Called by many threads at once.
+    // A leaf of the items, at most treeWidth of them, or a node over leaves, put into memory that allocate(bytes)
+    // gives, at a multiple of 64. Called by many threads at once.
     using Allocate = std::function<void*(std::size_t bytes)>;
     using MakeLeaf = std::function<TreeReference(std::span<const std::uint32_t> items, const Allocate& allocate)>;
     using BoundsOf = std::function<core::Bounds(std::uint32_t)>;

@@ -32,16 +32,16 @@ struct ReadyRay {
     static constexpr float most = std::numeric_limits<float>::max();
 };
 
-// A ray made ready to be tested against boxes (Kay and Kajiya 1986), each of them larger by a slack on all sides. The way
-// to a side is side * inverse - origin * inverse, in which the slack has room for what is rounded.
+// A ray made ready to be tested against boxes (Kay and Kajiya 1986), each of them larger by a slack on all sides. The
+// way to a side is side * inverse - origin * inverse, in which the slack has room for what is rounded.
 template<class Lanes>
 class BoxRay {
 public:
     BoxRay(const ReadyRay& ray, float slack) {
         using Row = ReadyRay::Row;
         const Row outwards = core::select(ray.inverse < Row(0.f), Row(-slack), Row(slack));
-        const core::LaneArray<Row> near((ray.origin + outwards) * ray.inverse), far((ray.origin - outwards) * ray.inverse),
-            inverse(ray.inverse);
+        const core::LaneArray<Row> near((ray.origin + outwards) * ray.inverse),
+            far((ray.origin - outwards) * ray.inverse), inverse(ray.inverse);
         for (int axis = 0; axis < 3; ++axis) set(axis, inverse[axis], near[axis], far[axis]);
     }
     BoxRay() = default;
@@ -64,7 +64,8 @@ public:
         for (int first = 0; first < treeWidth; first += width) {
             const auto wayTo = [&](std::size_t side, int axis, const Lanes& origin) {
                 const char* row = reinterpret_cast<const char*>(&node) + side;
-                return xsimd::fms(Lanes::load_aligned(reinterpret_cast<const float*>(row) + first), inverse_[axis], origin);
+                return xsimd::fms(Lanes::load_aligned(reinterpret_cast<const float*>(row) + first), inverse_[axis],
+                                  origin);
             };
             // What is not a number, infinity less infinity, leaves the other: xsimd's min and max give the second word.
             Lanes enter(0.f), leave(end);

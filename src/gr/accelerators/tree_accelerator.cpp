@@ -56,12 +56,11 @@ void TreeAccelerator::addMesh(const Polyhedron& mesh, int threads) {
 
 // items: places in `objects`. Objects of a kind make a pack; a mesh is one by itself.
 TreeReference TreeAccelerator::makeLeaf(Items items, Items objects, const WideTree::Allocate& allocate) const {
-    std::array<std::uint32_t, treeWidth> sorted;
+    std::vector<std::uint32_t> sorted(items.size());
     std::transform(items.begin(), items.end(), sorted.begin(), [&](std::uint32_t i) { return objects[i]; });
     const auto kind = [&](std::uint32_t i) { return scene_.instances[i].shape.index(); };
-    std::sort(sorted.begin(), sorted.begin() + items.size(), [&](std::uint32_t a, std::uint32_t b) {
-        return kind(a) != kind(b) ? kind(a) < kind(b) : a < b;
-    });
+    std::sort(sorted.begin(), sorted.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return kind(a) != kind(b) ? kind(a) < kind(b) : a < b; });
     std::array<TreeReference, treeWidth> packs;
     std::array<core::Bounds, treeWidth> bounds;
     int count = 0;
@@ -82,9 +81,8 @@ TreeReference TreeAccelerator::makeLeaf(Items items, Items objects, const WideTr
 TreeReference TreeAccelerator::makePack(Items instances, const WideTree::Allocate& allocate) const {
     const auto isGeneral = [&](std::uint32_t i) { return scene_.instances[i].place.isGeneral(); };
     const bool anyIsGeneral = std::any_of(instances.begin(), instances.end(), isGeneral);
-    ObjectPack header{packKind(scene_.instances[instances[0]].shape, anyIsGeneral),
-                      static_cast<std::uint32_t>(instances.size()),
-                      {}};
+    ObjectPack header{
+        packKind(scene_.instances[instances[0]].shape, anyIsGeneral), static_cast<std::uint32_t>(instances.size()), {}};
     for (std::size_t i = 0; i < treeWidth; ++i) header.instance[i] = instances[std::min(i, instances.size() - 1)];
     ObjectPack* made = nullptr;
     visitPack(header, [&]<class Pack>(Pack&) {
@@ -105,8 +103,7 @@ void TreeAccelerator::fill(MeshPack& pack) const {
 
 template<class S>
 void TreeAccelerator::fill(ShapePack<S, AlignedMapOf>& pack) const {
-    for (int i = 0; i < treeWidth; ++i)
-        pack.set(static_cast<int>(i), placeOf(pack, i).alignedObjectFromWorld());
+    for (int i = 0; i < treeWidth; ++i) pack.set(static_cast<int>(i), placeOf(pack, i).alignedObjectFromWorld());
 }
 template<class S>
 void TreeAccelerator::fill(ShapePack<S, core::AffineMap>& pack) const {

@@ -118,8 +118,7 @@ WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const Bounds
     arguments.createLeaf = Builder::createLeaf;
     arguments.userPtr = &builder;
     // Embree, too, runs on TBB: as many threads as are allowed here.
-    core::parallelFor(1, threads,
-                      [&](int) { root_ = std::bit_cast<TreeReference>(embree().rtcBuildBVH(&arguments)); });
+    core::parallelFor(1, threads, [&](int) { root_ = std::bit_cast<TreeReference>(embree().rtcBuildBVH(&arguments)); });
     device.check();
 }
 
