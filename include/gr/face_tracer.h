@@ -41,6 +41,10 @@ public:
                     const Mask& isFace, bool wantsTangents) const {
         const auto parallelograms = static_cast<float>(faces_.parallelograms.size());
         const Real face = core::toReal(hit.instance & core::UInt<Real>(firstFace - 1));
+        if (faces_.triangles.empty()) {
+            if (core::any(isFace)) setFace<false>(surface, ray, faces_.parallelograms, face, isFace, wantsTangents);
+            return;
+        }
         const Mask onParallelogram = isFace & (face < Real(parallelograms));
         const Mask onTriangle = isFace & (face >= Real(parallelograms));
         if (core::any(onParallelogram))

@@ -52,8 +52,12 @@ public:
         surface.light = Real(-1);
         surface.isSmooth = Real(0) > Real(0);
         const Mask isMet = surface.isMet();
-        const Mask isFace = !core::isLess(hit.instance, core::UInt<Real>(FaceTracer<Real>::firstFace));
-        faces_.setSurface(surface, ray, hit, isMet & isFace, wantsTangents_);
+        if (bodies_.count == 0 && scene_.bodies.empty()) {
+            faces_.setSurface(surface, ray, hit, isMet, wantsTangents_);
+            return surface;
+        }
+        const Mask isFace = isMet & !core::isLess(hit.instance, core::UInt<Real>(FaceTracer<Real>::firstFace));
+        faces_.setSurface(surface, ray, hit, isFace, wantsTangents_);
         std::uint32_t ids[core::laneCount<Real>];
         core::storeUInt<Real>(hit.instance, ids);
         for (std::uint32_t rest = core::bitsOf(isMet & !isFace); rest != 0;) {

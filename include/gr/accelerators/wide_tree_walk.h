@@ -110,6 +110,7 @@ bool walkTree(TreeReference root, const BoxRay<Lanes>& ray, const float& nearest
             for (met &= met - 1; met != 0; met &= met - 1) {
                 child = std::countr_zero(met);
                 Entry next{entry[child], node.child[child]};
+                __builtin_prefetch(next.reference.address());
                 if (next.t < t) {
                     std::swap(next.t, t);
                     std::swap(next.reference, at);
