@@ -22,8 +22,9 @@ struct GridLevel {
     float rounding;  // how far a coordinate may be from where its cell ends
     core::Bounds reach;  // of what is in the cells, wherever it was rounded to
 
-    // About so many cells, cubes nearly, but where the box is thinner than they are. errorPerUnit: see Grid.
-    GridLevel(const core::Bounds& box, double cells, float errorPerUnit);
+    // About so many cells, cubes nearly, but where the box is thinner than they are. errorPerUnit: see Grid. shape:
+    // what a cell's sides are to one another, where they are to be no cubes.
+    GridLevel(const core::Bounds& box, double cells, float errorPerUnit, const core::Vec3f& shape = core::Vec3f(1));
 
     int bricks(int axis) const { return (count[axis] - 1) / brickSide + 1; }
     std::size_t brickCount() const { return static_cast<std::size_t>(stride[2]) * static_cast<std::size_t>(bricks(2)); }
@@ -51,6 +52,12 @@ struct GridLevel {
         return {brick % stride[1] * brickSide + bit % 4, brick % stride[2] / stride[1] * brickSide + bit / 4 % 4,
                 brick / stride[2] * brickSide + bit / 16};
     }
+};
+
+// What the cells of a level are kept in, 4 x 4 x 4 of them.
+struct GridBrick {
+    std::uint64_t occupied = 0;  // a bit for each cell
+    std::uint32_t firstCell = 0;  // the first occupied one
 };
 
 // The cells that a box reaches into.

@@ -84,7 +84,7 @@ private:
             slope = PackLanes{uSlope, uSlope, vSlope, vSlope};
             last = PackLanes{level.last(u), level.last(u), level.last(v), level.last(v)};
             isAtLow = slope * PackLanes{1, -1, 1, -1} > PackLanes(0.f);
-            bricks = &walk.grid_.bricks_[level.firstBrick];
+            bricks = &walk.grid_.part_.bricks[level.firstBrick];
             stride = level.stride[axis];
             uStride = level.stride[u];
             vStride = level.stride[v];
@@ -162,10 +162,10 @@ private:
     bool throughCell(const Brick& brick, int place) {
         const std::uint64_t before = (std::uint64_t(1) << place) - 1;
         const std::uint32_t* cell =
-            &grid_.cells_[brick.firstCell + static_cast<std::uint32_t>(std::popcount(brick.occupied & before))];
+            &grid_.part_.cells[brick.firstCell + static_cast<std::uint32_t>(std::popcount(brick.occupied & before))];
         for (std::uint32_t i = cell[0]; i < cell[1]; ++i) {
-            const std::uint32_t item = grid_.items_[i];
-            if ((item & isLevel) != 0) return through(grid_.levels_[item & ~isLevel]);
+            const std::uint32_t item = grid_.part_.items[i];
+            if ((item & GridPart::isLevel) != 0) return through(grid_.part_.levels[item & ~GridPart::isLevel]);
             std::uint32_t& recent = recent_[item % recent_.size()];
             if (recent == item) continue;
             recent = item;
@@ -188,7 +188,7 @@ template<class Visit>
 void Grid::walk(const core::Rayf& ray, const float& nearest, TraversalCounts& counts, Visit&& visit) const {
     for (const std::uint32_t item : outliers_)
         if (visit(item)) return;
-    if (!levels_.empty()) Walk<Visit>(*this, ray, nearest, counts, visit).through(levels_[0]);
+    if (!part_.levels.empty()) Walk<Visit>(*this, ray, nearest, counts, visit).through(part_.levels.back());
 }
 
 }  // namespace gr

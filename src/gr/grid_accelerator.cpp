@@ -7,16 +7,15 @@ namespace {
 
 class GridAccelerator final : public TwoLevelAccelerator<Grid> {
 public:
-    GridAccelerator(const Scene& scene, Objects objects, int threads)
-        : TwoLevelAccelerator(scene, objects,
-                              [threads](std::uint32_t count, const BoundsOf& boundsOf, float errorPerUnit) {
-                                  std::vector<core::Bounds> bounds(count);
-                                  inParts(static_cast<int>(count), threads, [&](int first, int end) {
-                                      for (int i = first; i < end; ++i)
-                                          bounds[i] = boundsOf(static_cast<std::uint32_t>(i));
-                                  });
-                                  return std::make_unique<Grid>(bounds, errorPerUnit, threads);
-                              }) {}
+    // onlyEven: see Grid.
+    GridAccelerator(const Scene& scene, Objects objects, int threads, bool onlyEven)
+        : TwoLevelAccelerator(scene, objects, [=](std::uint32_t count, const BoundsOf& boundsOf, float errorPerUnit) {
+              std::vector<core::Bounds> bounds(count);
+              inParts(static_cast<int>(count), threads, [&](int first, int end) {
+                  for (int i = first; i < end; ++i) bounds[i] = boundsOf(static_cast<std::uint32_t>(i));
+              });
+              return std::make_unique<Grid>(bounds, errorPerUnit, threads, 1, onlyEven);
+          }) {}
 
     bool isEven(std::size_t objectCount) const { return meshes().empty() && objects().isEven(objectCount); }
 
@@ -44,12 +43,12 @@ std::unique_ptr<Accelerator> makeGridAccelerator(const Scene& scene, Objects obj
     // What would be one cell is tested four objects at once.
     constexpr std::size_t few = 32;
     if (scene.objectCount() <= few) return makeNoAccelerator(scene, objects);
-    return std::make_unique<GridAccelerator>(scene, objects, threads);
+    return std::make_unique<GridAccelerator>(scene, objects, threads, false);
 }
 
 std::unique_ptr<Accelerator> makeEvenGrid(const Scene& scene, Objects objects, int threads) {
     if (!scene.polyhedra.empty()) return nullptr;
-    auto grid = std::make_unique<GridAccelerator>(scene, objects, threads);
+    auto grid = std::make_unique<GridAccelerator>(scene, objects, threads, true);
     return grid->isEven(objects.size()) ? std::move(grid) : nullptr;
 }
 

@@ -18,16 +18,17 @@ double edgeOf(const glm::dvec3& size, double cells) {
 
 }  // namespace
 
-GridLevel::GridLevel(const core::Bounds& box, double cells, float errorPerUnit) : low(box.low) {
+GridLevel::GridLevel(const core::Bounds& box, double cells, float errorPerUnit, const core::Vec3f& shape)
+    : low(box.low) {
     // A walk counts in cells: it rounds where the ray enters (3 times), its slope (3), and the sum of both (2); a
     // coordinate may be twice the reach from the low side.
     rounding = 0x1p-20f * box.reach();
     const float thinnest = core::max(0x1p-16f * core::largestComponent(box.size()), 8 * rounding);
     const glm::dvec3 size = glm::max(box.size(), core::Vec3f(core::max(thinnest, 1e-30f)));
-    const double edge = edgeOf(size, cells);
+    const glm::dvec3 sides = edgeOf(size / glm::dvec3(shape), cells) * glm::dvec3(shape);
     core::Bounds whole{low, low};
     for (int axis = 0; axis < 3; ++axis) {
-        count[axis] = static_cast<int>(std::clamp(std::round(size[axis] / edge), 1.0, 4096.0));
+        count[axis] = static_cast<int>(std::clamp(std::round(size[axis] / sides[axis]), 1.0, 4096.0));
         cell[axis] = static_cast<float>(size[axis] / count[axis]);
         inverseCell[axis] = 1 / cell[axis];
         whole.high[axis] = boundary(count[axis], axis);

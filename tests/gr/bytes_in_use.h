@@ -9,5 +9,6 @@
 #define GRSH_COUNTS_BYTES
 
 extern std::atomic<std::int64_t> bytesInUse;
+extern std::atomic<std::int64_t> mostBytesInUse;  // since a test set it
 
 #endif

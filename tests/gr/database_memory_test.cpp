@@ -9,7 +9,7 @@
 
 #ifdef GRSH_COUNTS_BYTES
 
-std::atomic<std::int64_t> bytesInUse{0};
+std::atomic<std::int64_t> bytesInUse{0}, mostBytesInUse{0};
 
 namespace {
 
@@ -18,17 +18,25 @@ std::int64_t chunkSize(void* memory) {
     return memory == nullptr ? 0 : static_cast<std::int64_t>(malloc_usable_size(memory) + sizeof(std::size_t));
 }
 
+void countNew(std::int64_t chunk) {
+    const std::int64_t now = bytesInUse.fetch_add(chunk, std::memory_order_relaxed) + chunk;
+    std::int64_t most = mostBytesInUse.load(std::memory_order_relaxed);
+    while (now > most && !mostBytesInUse.compare_exchange_weak(most, now, std::memory_order_relaxed)) {
+    }
+}
+
 }  // namespace
 
 // The array, nothrow and sized forms call these two; over-aligned memory is not counted.
 void* operator new(std::size_t size) {
     void* memory = std::malloc(size == 0 ? 1 : size);
     if (memory == nullptr) throw std::bad_alloc();
-    bytesInUse.fetch_add(chunkSize(memory), std::memory_order_relaxed);
+    countNew(chunkSize(memory));
     return memory;
 }
 
-void operator delete(void* memory) noexcept {
+// Not inlined, as operator new is not: else g++ takes free for that of another kind of memory.
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     bytesInUse.fetch_sub(chunkSize(memory), std::memory_order_relaxed);
     std::free(memory);
 }
