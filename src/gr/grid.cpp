@@ -102,7 +102,7 @@ private:
             end += begin;
             begin = end;
         }
-        work_.count(2 * end);
+        work_.count(std::size_t(2) * end);
         // Filled from behind, which leaves in `begins` where each begins.
         own.items.resize(end);
         const std::span sorted = own.items;

@@ -50,8 +50,11 @@ public:
         GridChoice best;
         for (Candidate& candidate : candidates) {
             occupy(candidate);
-            if (const double cost = costOf(candidate); cost < best.cost)
-                best = {candidate.cells, shape_, cost, isEven(candidate)};
+            const double cost = costOf(candidate);
+            if (cost >= best.cost) continue;
+            // Where more cells would be better still, there is more space between things than an even grid has.
+            const bool isBestKnown = !isCutShort_ || &candidate != &candidates.back();
+            best = {candidate.cells, shape_, cost, isBestKnown && isEven(candidate)};
         }
         return best;
     }
@@ -97,24 +100,29 @@ private:
         return candidate;
     }
 
-    std::optional<Candidate> finer(const Candidate& than) const {
+    std::optional<Candidate> finer(const Candidate& than) {
         for (double cells = 4 * than.cells; cells <= 64 * n_; cells *= 4) {
             Candidate candidate = at(cells);
             if (candidate.level.count == than.level.count) continue;
             candidate = listed(candidate);
-            return isTooLarge(candidate) ? std::nullopt : std::optional(candidate);
+            if (!isTooLarge(candidate)) return candidate;
+            isCutShort_ = candidate.listings <= mostCopies * n_;
+            return std::nullopt;
         }
         return std::nullopt;
     }
 
-    // Of what the items fill of the box.
+    // Of what the items fill of the box. Along an axis where that is too thin to be cut, as GridLevel sees it, all do.
     Vec3f meanSize() const {
         work_.count(items_.size());
         glm::dvec3 sum(0);
         for (const std::uint32_t item : items_)
             sum += glm::dvec3(glm::max(work_.bounds[item].intersection(box_).size(), Vec3f(0)));
-        const double largest = std::max({sum.x, sum.y, sum.z});
-        return largest > 0 ? Vec3f(glm::max(sum / largest, 0x1p-16)) : Vec3f(1);
+        const float thin = 0x1p-16f * core::largestComponent(box_.size());
+        Vec3f mean(glm::max(sum / n_, 0x1p-16 * thin));
+        for (int axis = 0; axis < 3; ++axis)
+            if (box_.size()[axis] < thin) mean[axis] = thin;
+        return thin > 0 ? mean / core::largestComponent(mean) : Vec3f(1);
     }
 
     // Where that is not yet done.
@@ -196,6 +204,7 @@ private:
     double bytes_;
     bool isInner_;
     Vec3f shape_{1};
+    bool isCutShort_ = false;  // whether there is no room for a finer resolution, which might be better
 };
 
 }  // namespace

@@ -75,12 +75,13 @@ TEST(GridEven, ALatticeIsBuiltAsItIsAnyway) {
     EXPECT_EQ(even.bytes(), any.bytes());
 }
 
-// Cubes would make 7 layers of them. Seen to fail where cells are always cubes.
+// As far as their bounds can be told apart, which rounding makes 34 spacings wide. Seen to fail where cells are always
+// cubes.
 TEST(GridShape, WiresAreKeptApartByCellsAsLongAsThey) {
     const std::vector<core::Bounds> bounds = allBounds(hardScene(hardScenes[3], 10'000));
     const Grid grid(bounds, errorPerUnit, 2);
-    EXPECT_LT(grid.resolution()[0], 10);
-    EXPECT_GT(grid.resolution()[1], 100);
+    EXPECT_EQ(grid.resolution()[0], 1);
+    EXPECT_GT(grid.resolution()[1], 200);
 }
 
 TEST(GridThreads, AnyNumberBuildsTheSame) {
