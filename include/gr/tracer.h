@@ -108,9 +108,10 @@ private:
             if (tree_ != nullptr) {
                 TreeTracer<TreeLanes>(*tree_, counts).nearest(rays.at(lane, core::infinity), rays.boxRay(lane), found);
             } else {
-                // What is just as near as the face must be found, too.
+                // What is just as near as what the lanes have found must be found, too: it may have been made first.
                 const float end = std::nextafter(found.t, core::infinity);
-                if (const auto body = accelerator_.intersect(rays.at(lane, end), counts)) found = *body;
+                const std::optional<Hit> body = accelerator_.intersect(rays.at(lane, end), counts);
+                if (body && body->isBefore(found)) found = *body;
             }
             t[lane] = found.t;
             b1[lane] = found.b1;

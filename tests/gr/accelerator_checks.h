@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gr/convex_places.h"
+#include "gr/tracer.h"
 
 #include <gtest/gtest.h>
 
@@ -33,10 +34,47 @@ inline std::string text(const std::optional<Hit>& hit) {
     return text.str();
 }
 
+// What many rays at once meet, whichever accelerator they ask.
+class SameTraces {
+public:
+    explicit SameTraces(const Scene& scene) {
+        for (const char* name : {"off", "grid", "embree"}) {
+            accelerators_.push_back(makeAccelerator(name, scene, 2, true));
+            tracers_.emplace_back(name, Tracer<float>(scene, *accelerators_.back(), false));
+        }
+    }
+
+    // Calls wrong(name, expected, found) for what disagrees; the ray is endless.
+    template<class Wrong>
+    void check(const core::Rayf& ray, Wrong&& wrong) const {
+        const std::optional<Hit> expected = hit(tracers_[0].second, ray);
+        const bool isMet = isOccluded(tracers_[0].second, ray);
+        for (const auto& [name, tracer] : tracers_) {
+            const std::optional<Hit> found = hit(tracer, ray);
+            if (!isSame(found, expected)) wrong(std::string("lanes, ") + name, expected, found);
+            if (isOccluded(tracer, ray) != isMet) wrong(std::string("lanes, occluded, ") + name, expected, found);
+        }
+    }
+
+private:
+    static std::optional<Hit> hit(const Tracer<float>& tracer, const core::Rayf& ray) {
+        TraversalCounts counts;
+        const Hit found = tracer.nearest(ray, true, counts);
+        return found.t < core::infinity ? std::optional(found) : std::nullopt;
+    }
+    static bool isOccluded(const Tracer<float>& tracer, const core::Rayf& ray) {
+        TraversalCounts counts;
+        return tracer.occluded(ray, true, counts);
+    }
+
+    std::vector<std::unique_ptr<Accelerator>> accelerators_;
+    std::vector<std::pair<const char*, Tracer<float>>> tracers_;
+};
+
 // The accelerators over one scene. What disagreed fails the test at the end.
 class SameHits {
 public:
-    explicit SameHits(const Scene& scene) : off_(makeAccelerator("off", scene, 2)) {
+    explicit SameHits(const Scene& scene) : off_(makeAccelerator("off", scene, 2)), traces_(scene) {
         grid_ = others_.emplace_back("grid", makeAccelerator("grid", scene, 2)).second.get();
         others_.emplace_back("embree", makeAccelerator("embree", scene, 2));
     }
@@ -54,6 +92,10 @@ public:
             if (accelerator->occluded(ray) != expected.has_value())
                 say(std::string(name) + ", occluded", ray, expected, {});
         }
+        if (ray.tMax == core::infinity)
+            traces_.check(ray, [&](const std::string& name, const auto& first, const auto& found) {
+                say(name, ray, first, found);
+            });
     }
 
     // The ray as it is, and ended at, a hair behind, and anywhere about what it hits.
@@ -82,6 +124,7 @@ private:
     std::unique_ptr<Accelerator> off_;
     std::vector<std::pair<const char*, std::unique_ptr<Accelerator>>> others_;
     const Accelerator* grid_;
+    SameTraces traces_;
     Violations wrong_;
     int hits_ = 0, misses_ = 0;
 };
