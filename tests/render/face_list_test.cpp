@@ -1,6 +1,7 @@
 // The faces that lanes test one after the other, and which of them may stand in the way of light.
 // Seen to fail with triangles joined whatever their fourth corner, with every face taken for a wall that has nothing
-// behind it, with point lights left out of what lies behind, and with mirrored meshes not turned.
+// behind it, with point lights left out of what lies behind, with mirrored meshes not turned,
+// with needles among the faces, and with more faces than a few.
 #include "gr/face_list.h"
 
 #include "gr/random_shapes.h"
@@ -78,6 +79,27 @@ TEST(FaceList, AWallBlocksThatHasOnlyALightBehindIt) {
         Room room;
         room.addPointLight("bulb", {core::Vec3f(0, 0, static_cast<float>(beyond)), core::Rgbf(1), {1, 0, 0}});
         EXPECT_EQ(room.faces().blockingParallelograms, beyond > 1 ? 1u : 0u);
+    }
+}
+
+// A face is tested a hair too large; a needle would become many times as wide.
+TEST(FaceList, LeavesMeshesWithNeedlesToTheTriangles) {
+    TestScene needle;
+    needle.addPolygon("wall", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, core::Rgbf(0.5f));
+    needle.addPolygon("needle", {{0, 0, -500}, {0.001, 0, -500}, {0.0005, 0, 500}}, core::Rgbf(0.5f));
+    const gr::Scene scene = gr::compile(needle.database, ":", {});
+    EXPECT_EQ(scene.faces.size(), 1u);
+    EXPECT_EQ(scene.bodies.size() + scene.large.size(), 1u);
+}
+
+TEST(FaceList, IsEmptyWhereThereAreMoreThanAFew) {
+    for (const int walls : {64, 65}) {
+        TestScene many;
+        for (int i = 0; i < walls; ++i)
+            many.addPolygon("wall" + std::to_string(i), {{0, 0, i}, {1, 0, i}, {1, 1, i}, {0, 1, i}}, core::Rgbf(0.5f));
+        const gr::Scene scene = gr::compile(many.database, ":", {});
+        EXPECT_EQ(scene.faces.size(), walls == 64 ? 64u : 0u);
+        EXPECT_EQ(scene.bodies.size(), walls == 64 ? 0u : 65u);
     }
 }
 
