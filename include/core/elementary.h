@@ -90,4 +90,24 @@ Real expm1(Real x) {
     return e.scale * e.p + (e.scale - Real(1));
 }
 
+// The angle of the direction (x, y), from -pi to pi, to 2^-22; 0 for no direction.
+// The ratio is brought down to |r| <= tan(pi / 8) by tan(a - pi / 4) = (r - 1) / (r + 1), for which eight terms of
+// arctan's series are enough.
+template<class Real>
+Real atan2(Real y, Real x) {
+    const Real zero(0), one(1), quarterPi(0.785398163397448f);
+    const Real width = abs(x), height = abs(y);
+    const auto isSteep = height > width;
+    const Real small = select(isSteep, width, height), large = select(isSteep, height, width);
+    const Real ratio = small / select(large > zero, large, one);
+    const auto isWide = ratio > Real(0.414213562f);
+    const Real r = select(isWide, (ratio - one) / (ratio + one), ratio), r2 = r * r;
+    Real tail = Real(-1 / 15.f);
+    for (const float odd : {13.f, -11.f, 9.f, -7.f, 5.f, -3.f}) tail = tail * r2 + Real(1 / odd);
+    const Real angle = select(isWide, quarterPi, zero) + (r + r * r2 * tail);
+    const Real inQuadrant = select(isSteep, quarterPi * Real(2) - angle, angle);
+    const Real above = select(x < zero, quarterPi * Real(4) - inQuadrant, inQuadrant);
+    return select(y < zero, -above, above);
+}
+
 }  // namespace core

@@ -28,6 +28,13 @@ struct RealTraits<float> {
     static constexpr int lanes = 1;
 };
 
+// For what is done once, to all digits.
+template<>
+struct RealTraits<double> {
+    using Mask = bool;
+    static constexpr int lanes = 1;
+};
+
 template<class Arch>
 struct RealTraits<xsimd::batch<float, Arch>> {
     using Mask = xsimd::batch_bool<float, Arch>;
@@ -47,6 +54,9 @@ template<class Real>
 inline constexpr int laneCount = RealTraits<Real>::lanes;
 
 inline float select(bool mask, float yes, float no) {
+    return mask ? yes : no;
+}
+inline double select(bool mask, double yes, double no) {
     return mask ? yes : no;
 }
 inline bool any(bool mask) {

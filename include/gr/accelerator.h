@@ -3,7 +3,8 @@
 #pragma once
 
 #include "core/option.h"
-#include "gr/shape.h"
+#include "core/ray.h"
+#include "gr/hit.h"
 
 #include <array>
 #include <memory>

@@ -47,7 +47,7 @@ public:
                 if constexpr (std::is_same_v<S, const Polyhedron*>)
                     nearestOf(objectRay, i, *std::get<S>(scene_.instances[i].shape), nearest);
                 else
-                    offer(S{}.intersect(objectRay), i, nearest);
+                    offer(std::get<S>(scene_.instances[i].shape).intersect(objectRay), i, nearest);
             }
         });
     }
@@ -60,7 +60,8 @@ public:
                 if constexpr (std::is_same_v<S, const Polyhedron*>)
                     isMet = isMet | isMetBy(objectRay, *std::get<S>(scene_.instances[i].shape));
                 else
-                    isMet = isMet | (S{}.intersect(objectRay) < Real(core::infinity));
+                    isMet =
+                        isMet | (std::get<S>(scene_.instances[i].shape).intersect(objectRay) < Real(core::infinity));
             }
         });
         return isMet;

@@ -7,6 +7,7 @@
 #include "gr/mesh_file.h"
 #include "gr/node.h"
 
+#include <array>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -14,8 +15,8 @@ namespace gr {
 
 // What a database holds.
 struct DatabaseStatistics {
-    // Nodes by kind; the root is none of them.
-    std::size_t transforms = 0, spheres = 0, boxes = 0, polyhedra = 0, areaLights = 0, instances = 0;
+    // Nodes of each kind, as NodeContent lists them; the root is none of them.
+    std::array<std::size_t, std::variant_size_v<NodeContent>> nodes{};
     double objects = 0;  // of the whole tree once its instances are spread out; see object_count.h
     // A mesh that several nodes show is one.
     std::size_t meshes = 0, triangles = 0;

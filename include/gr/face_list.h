@@ -16,6 +16,7 @@ struct Face {
     core::Vec3f normal;  // unit length, outward
     core::Vec3f edge1, edge2;
     core::Vec3f toU, toV;  // of the way from the corner to a point corner + u edge1 + v edge2 they make u and v
+    core::Vec2f uv, uvAlong1, uvAlong2;  // of the corner, and how much they grow along the edges
     core::Vec3f tangent;  // see SurfacePoint
     float error, errorPerUnit;  // see Instance
     float extent;  // the sum of its edges along the axes

@@ -37,20 +37,20 @@ public:
     }
 
     // Of the lanes where a face was hit.
-    void setSurface(SurfacePointOf<Real>& surface, const core::Ray<Real>& ray, const HitOf<Real>& hit,
-                    const Mask& isFace, bool wantsTangents) const {
+    void setSurface(SurfacePoint<Real>& surface, const core::Ray<Real>& ray, const HitOf<Real>& hit, const Mask& isFace,
+                    bool wantsCoordinates) const {
         const auto parallelograms = static_cast<float>(faces_.parallelograms.size());
         const Real face = core::toReal(hit.instance & core::UInt<Real>(firstFace - 1));
         if (faces_.triangles.empty()) {
-            if (core::any(isFace)) setFace<false>(surface, ray, faces_.parallelograms, face, isFace, wantsTangents);
+            if (core::any(isFace)) setFace<false>(surface, ray, faces_.parallelograms, face, isFace, wantsCoordinates);
             return;
         }
         const Mask onParallelogram = isFace & (face < Real(parallelograms));
         const Mask onTriangle = isFace & (face >= Real(parallelograms));
         if (core::any(onParallelogram))
-            setFace<false>(surface, ray, faces_.parallelograms, face, onParallelogram, wantsTangents);
+            setFace<false>(surface, ray, faces_.parallelograms, face, onParallelogram, wantsCoordinates);
         if (core::any(onTriangle))
-            setFace<true>(surface, ray, faces_.triangles, face - Real(parallelograms), onTriangle, wantsTangents);
+            setFace<true>(surface, ray, faces_.triangles, face - Real(parallelograms), onTriangle, wantsCoordinates);
     }
 
 private:
@@ -106,8 +106,8 @@ private:
     }
 
     template<bool isTriangle>
-    static void setFace(SurfacePointOf<Real>& surface, const core::Ray<Real>& ray, const std::vector<Face>& faces,
-                        const Real& number, const Mask& here, bool wantsTangents) {
+    static void setFace(SurfacePoint<Real>& surface, const core::Ray<Real>& ray, const std::vector<Face>& faces,
+                        const Real& number, const Mask& here, bool wantsCoordinates) {
         const core::GatheredRow<Real, Face> row(faces.data(), core::toUInt(core::select(here, number, Real(0))));
         const Vec3 normal = row.vector(offsetof(Face, normal)), corner = row.vector(offsetof(Face, corner));
         Vec3 position = ray.origin + ray.direction * surface.t;
@@ -136,7 +136,14 @@ private:
         surface.error = core::select(here, error, surface.error);
         surface.material = core::select(here, row.number(offsetof(Face, material)), surface.material);
         surface.light = core::select(here, row.number(offsetof(Face, light)), surface.light);
-        if (wantsTangents) surface.tangent = core::select(here, row.vector(offsetof(Face, tangent)), surface.tangent);
+        if (!wantsCoordinates) return;
+        const auto coordinate = [&](std::size_t axis) {
+            const auto part = [&](std::size_t member) { return row.number(member + axis * sizeof(float)); };
+            return part(offsetof(Face, uv)) + part(offsetof(Face, uvAlong1)) * u + part(offsetof(Face, uvAlong2)) * v;
+        };
+        surface.uv.x = core::select(here, coordinate(0), surface.uv.x);
+        surface.uv.y = core::select(here, coordinate(1), surface.uv.y);
+        surface.tangent = core::select(here, row.vector(offsetof(Face, tangent)), surface.tangent);
     }
 
     const FaceList& faces_;

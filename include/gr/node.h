@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/vec.h"
-#include "gr/polyhedron.h"
+#include "gr/shape.h"
 #include "materials/material.h"
 
 #include <memory>
@@ -19,29 +19,31 @@ struct NamedMaterial {
     materials::Material material;
 };
 
-struct TransformNode {};
-struct SphereNode {
-    glm::dvec3 centre{0};
-    double radius = 1;
-};
-struct BoxNode {
-    glm::dvec3 corner{0};
-    glm::dvec3 size{1};
+// Each has its kind, and that in the plural for gr_stats.
+struct TransformNode {
+    static constexpr core::Word kind = "transform", plural = "transforms";
 };
 struct PolyhedronNode {
+    static constexpr core::Word kind = "polyhedron", plural = "polyhedra";
+
     std::shared_ptr<const Polyhedron> polyhedron;
     std::string file{};  // as the script calls it; empty for one that the script gives itself
 };
 struct AreaLightNode {
+    static constexpr core::Word kind = "area light", plural = "arealights";
+
     core::Rgbf radiance;
     glm::dvec3 centre;
     double size;
 };
 struct InstanceNode {
+    static constexpr core::Word kind = "instance", plural = "instances";
+
     const Node* target;
 };
 
-using NodeContent = std::variant<TransformNode, SphereNode, BoxNode, PolyhedronNode, AreaLightNode, InstanceNode>;
+// The shapes of the list have nodes of their own, which are in the list, too.
+using NodeContent = ShapeNodes::Between<TransformNode, PolyhedronNode, AreaLightNode, InstanceNode>;
 
 struct Node {
     std::string name;

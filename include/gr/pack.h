@@ -1,7 +1,6 @@
 // Things of one kind side by side, a lane each, so that one ray is tested against a whole pack in one go.
 #pragma once
 
-#include "core/transform.h"
 #include "gr/shape.h"
 #include "gr/triangle.h"
 
@@ -60,19 +59,6 @@ struct TrianglePack : TrianglePackOf<packWidth> {
     template<class Found>
     void intersect(const PackRay& ray, Found&& found) const {
         TrianglePackOf::intersect<PackLanes>(ray, 0, found);
-    }
-};
-
-// Instances of a shape without parameters of its own. A lane that is not used repeats another one.
-template<class Shape>
-struct InstancePack {
-    core::AffineMap<PackLanes> objectFromWorld;
-    std::uint32_t instance[packWidth];
-
-    // The t of each, or infinity.
-    PackLanes intersect(const core::Ray<PackLanes>& ray) const {
-        return Shape{}.intersect(
-            core::Ray<PackLanes>{objectFromWorld.point(ray.origin), objectFromWorld.vector(ray.direction), ray.tMax});
     }
 };
 

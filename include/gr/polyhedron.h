@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/bounds.h"
+#include "gr/hit.h"
 #include "gr/octahedral.h"
+#include "gr/shapes/surface.h"
 #include "gr/triangle.h"
 
 #include <cstdint>
@@ -13,12 +15,7 @@
 
 namespace gr {
 
-template<class Real>
-struct HitOf;
-using Hit = HitOf<float>;
 struct PackRay;
-template<class Real>
-struct ShapePoint;
 struct TrianglePack;
 
 // Vertices and faces as a script gives them; a face lists its vertices, from 0, in the order of its outline.

@@ -3,6 +3,7 @@
 
 #include "gr/accelerators/tree_tracer.h"
 #include "gr/all_tracer.h"
+#include "gr/body_surface.h"
 #include "gr/face_tracer.h"
 
 namespace gr {
@@ -15,12 +16,12 @@ public:
     using Mask = core::Mask<Real>;
     using Vec3 = core::Vec3<Real>;
 
-    // Both must outlive it. wantsTangents: whether surfaces tell them.
-    Tracer(const Scene& scene, const Accelerator& accelerator, bool wantsTangents)
+    // Both must outlive it. wantsCoordinates: whether surfaces tell u, v and a tangent.
+    Tracer(const Scene& scene, const Accelerator& accelerator, bool wantsCoordinates)
         : scene_(scene),
           accelerator_(accelerator),
           tree_(accelerator.tree()),
-          wantsTangents_(wantsTangents),
+          wantsCoordinates_(wantsCoordinates),
           faces_(scene.faces),
           bodies_(scene, scene.large) {
         if (accelerator.testsAll()) bodies_.add(scene, scene.bodies);
@@ -46,18 +47,18 @@ public:
         return asked & isMet;
     }
 
-    SurfacePointOf<Real> surfaceAt(const core::Ray<Real>& ray, const HitOf<Real>& hit) const {
-        SurfacePointOf<Real> surface;
+    SurfacePoint<Real> surfaceAt(const core::Ray<Real>& ray, const HitOf<Real>& hit) const {
+        SurfacePoint<Real> surface;
         surface.t = hit.t;
         surface.light = Real(-1);
         surface.isSmooth = Real(0) > Real(0);
         const Mask isMet = surface.isMet();
         if (bodies_.count == 0 && scene_.bodies.empty()) {
-            faces_.setSurface(surface, ray, hit, isMet, wantsTangents_);
+            faces_.setSurface(surface, ray, hit, isMet, wantsCoordinates_);
             return surface;
         }
         const Mask isFace = isMet & !core::isLess(hit.instance, core::UInt<Real>(FaceTracer<Real>::firstFace));
-        faces_.setSurface(surface, ray, hit, isFace, wantsTangents_);
+        faces_.setSurface(surface, ray, hit, isFace, wantsCoordinates_);
         std::uint32_t ids[core::laneCount<Real>];
         core::storeUInt<Real>(hit.instance, ids);
         for (std::uint32_t rest = core::bitsOf(isMet & !isFace); rest != 0;) {
@@ -65,7 +66,8 @@ public:
             std::uint32_t here = 0;
             core::forEachLane(rest, [&](int lane) { here |= std::uint32_t{ids[lane] == instance} << lane; });
             rest &= ~here;
-            setBody(surface, ray, hit, scene_.instances[instance], core::maskOf<Real>(here));
+            const Mask onInstance = core::maskOf<Real>(here);
+            BodySurface<Real>(scene_.instances[instance], ray, hit, onInstance).set(surface, wantsCoordinates_);
         }
         return surface;
     }
@@ -159,61 +161,10 @@ private:
         return enter <= leave;
     }
 
-    void setBody(SurfacePointOf<Real>& surface, const core::Ray<Real>& ray, const HitOf<Real>& hit,
-                 const Instance& instance, const Mask& here) const {
-        const auto inObjectSpace = [&](const core::Ray<Real>& objectRay, const Vec3& margin) {
-            return std::visit([&](const auto& shape) { return shapePoint(shape, objectRay, hit, here, margin); },
-                              instance.shape);
-        };
-        const PlacedPoint<Real> point = placed(instance, ray, surface.t, inObjectSpace);
-        surface.position = core::select(here, point.position, surface.position);
-        surface.normal = core::select(here, point.normal, surface.normal);
-        surface.error = core::select(here, point.error, surface.error);
-        surface.material = core::select(here, Real(static_cast<float>(instance.material)), surface.material);
-        if (const auto* square = std::get_if<Square>(&instance.shape))
-            surface.light = core::select(here, Real(static_cast<float>(square->light)), surface.light);
-        Vec3 shadingNormal = point.normal, objectNormal = point.objectNormal;
-        if (const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape); mesh && (*mesh)->hasNormals())
-            smooth(**mesh, instance, ray, hit, here, point, shadingNormal, objectNormal, surface.isSmooth);
-        surface.shadingNormal = core::select(here, shadingNormal, surface.shadingNormal);
-        if (wantsTangents_)
-            surface.tangent = core::select(here, tangentAt<Real>(instance, objectNormal), surface.tangent);
-    }
-
-    template<class S>
-    static ShapePoint<Real> shapePoint(const S& shape, const core::Ray<Real>& ray, const HitOf<Real>& hit, const Mask&,
-                                       const Vec3& margin) {
-        return shape.surfaceAt(ray, hit.t, margin);
-    }
-    static ShapePoint<Real> shapePoint(const Polyhedron* mesh, const core::Ray<Real>& ray, const HitOf<Real>& hit,
-                                       const Mask& here, const Vec3& margin) {
-        return mesh->surfaceAt<Real>(ray, ofMesh(hit, here), margin);
-    }
-    // Lanes that hit something else may have the number of a triangle that this mesh has not.
-    static HitOf<Real> ofMesh(const HitOf<Real>& hit, const Mask& here) {
-        HitOf<Real> own = hit;
-        own.triangle = core::selectUInt<Real>(here, hit.triangle, core::UInt<Real>(0));
-        return own;
-    }
-
-    // A mesh's own normals stand for a shape that is rounder than its faces. They change how light is reflected, never
-    // which side of a face something is on.
-    static void smooth(const Polyhedron& mesh, const Instance& instance, const core::Ray<Real>& ray,
-                       const HitOf<Real>& hit, const Mask& here, const PlacedPoint<Real>& point, Vec3& shadingNormal,
-                       Vec3& objectNormal, Mask& isSmooth) {
-        const Vec3 given = mesh.shadingNormal<Real>(ofMesh(hit, here));
-        const Vec3 normal = glm::normalize(instance.place.objectFromWorld().transposed(given));
-        const Mask isGiven = here & (glm::dot(normal, point.normal) > Real(0));
-        if (!core::any(isGiven)) return;
-        shadingNormal = core::select(isGiven, facing<Real>(normal, ray.direction, point.front), shadingNormal);
-        objectNormal = core::select(isGiven, given, objectNormal);
-        isSmooth = isSmooth | isGiven;
-    }
-
     const Scene& scene_;
     const Accelerator& accelerator_;
     const TreeAccelerator* tree_;
-    bool wantsTangents_;
+    bool wantsCoordinates_;
     FaceTracer<Real> faces_;
     InstancesByShape bodies_;  // that lanes test by themselves
 };

@@ -41,6 +41,7 @@ struct Command {
 
 inline constexpr std::size_t anyNumberOfWords = ~std::size_t{0};
 
+std::span<const Command> shapeCommands();
 std::span<const Command> nodeCommands();
 std::span<const Command> materialCommands();
 std::span<const Command> lightCommands();

@@ -46,14 +46,14 @@ struct Paths {
 template<class Real>
 struct ShadingPoints {
     const gr::Scene& scene;
-    const gr::SurfacePointOf<Real>& surface;
+    const gr::SurfacePoint<Real>& surface;
     std::uint32_t lanes;  // that are shaded
     core::Mask<Real> fromOutside;
     core::Vec3<Real> normal;
     core::Frame<Real> frame;
     core::Vec3<Real> wo;
 
-    ShadingPoints(const PathScene& scene, const core::Ray<Real>& ray, const gr::SurfacePointOf<Real>& surface,
+    ShadingPoints(const PathScene& scene, const core::Ray<Real>& ray, const gr::SurfacePoint<Real>& surface,
                   const core::Mask<Real>& shaded)
         : scene(scene.scene),
           surface(surface),
@@ -81,9 +81,7 @@ struct ShadingPoints {
     core::Mask<Real> isOnWrongSide(const core::Vec3<Real>& direction, const core::Vec3<Real>& wi) const {
         return surface.isSmooth & core::differ(glm::dot(direction, normal) > Real(0), wi.z > Real(0));
     }
-    core::Vec3<Real> offset(const core::Vec3<Real>& side) const {
-        return gr::SurfacePoint::offsetFrom(surface.position, side, surface.error);
-    }
+    core::Vec3<Real> offset(const core::Vec3<Real>& side) const { return surface.offset(side); }
 
 private:
     void turnFrame() {

@@ -34,6 +34,34 @@ std::vector<std::uint32_t> allOf(const Scene& scene) {
     return all;
 }
 
+// No box holds what has no end: that is tested by itself, before all others.
+class WithEndless final : public Accelerator {
+public:
+    WithEndless(const Scene& scene, Objects endless, std::unique_ptr<Accelerator> others)
+        : endless_(makeNoAccelerator(scene, endless)), others_(std::move(others)) {
+        reason = others_->reason;
+    }
+
+    std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const override {
+        const std::optional<Hit> first = endless_->intersect(ray, counts);
+        if (!first) return others_->intersect(ray, counts);
+        // What is just as near must be found, too: it may have been made first.
+        core::Rayf rest = ray;
+        rest.tMax = std::min(std::nextafter(first->t, core::infinity), ray.tMax);
+        const std::optional<Hit> other = others_->intersect(rest, counts);
+        return other && other->isBefore(*first) ? other : first;
+    }
+    bool occluded(const core::Rayf& ray, TraversalCounts& counts) const override {
+        return endless_->occluded(ray, counts) || others_->occluded(ray, counts);
+    }
+    std::size_t bytes() const override { return endless_->bytes() + others_->bytes(); }
+    std::string description() const override { return others_->description(); }
+    std::optional<std::array<int, 3>> resolution() const override { return others_->resolution(); }
+
+private:
+    std::unique_ptr<Accelerator> endless_, others_;
+};
+
 // Whether testing every object is fastest: docs/performance.md tells how that was measured.
 bool isFew(const Scene& scene, Objects objects, bool manyRays) {
     // One ray is tested against four objects before a tree's first box is.
@@ -82,7 +110,14 @@ std::span<const core::Word> acceleratorNames() {
 
 std::unique_ptr<Accelerator> makeAccelerator(core::Word name, const Scene& scene, int threads, bool manyRays) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.name == name; });
-    return row->make(scene, manyRays ? scene.bodies : allOf(scene), threads, manyRays);
+    if (manyRays) return row->make(scene, scene.bodies, threads, true);
+    std::vector<std::uint32_t> objects = allOf(scene), endless;
+    const auto hasEnd = [&](std::uint32_t i) { return !isEndless(scene.instances[i].shape); };
+    const auto firstEndless = std::stable_partition(objects.begin(), objects.end(), hasEnd);
+    endless.assign(firstEndless, objects.end());
+    if (endless.empty() || row->name == "off") return row->make(scene, allOf(scene), threads, false);
+    objects.erase(firstEndless, objects.end());
+    return std::make_unique<WithEndless>(scene, endless, row->make(scene, objects, threads, false));
 }
 
 }  // namespace gr

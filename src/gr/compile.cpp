@@ -89,12 +89,9 @@ private:
 
     void add(const TransformNode&, const glm::dmat4&) {}
     void add(const InstanceNode&, const glm::dmat4&) {}
-    void add(const SphereNode& sphere, const glm::dmat4& matrix) {
-        const glm::dmat4 place = glm::scale(glm::translate(matrix, sphere.centre), glm::dvec3(sphere.radius));
-        addInstance(Sphere{}, place, Sphere::extent);
-    }
-    void add(const BoxNode& box, const glm::dmat4& matrix) {
-        addInstance(Box{}, glm::scale(glm::translate(matrix, box.corner), box.size), Box::extent);
+    template<CompleteShapeNode Node>
+    void add(const Node& node, const glm::dmat4& matrix) {
+        addInstance(node.shape(), node.placeIn(matrix), node.shape().extent());
     }
     void add(const PolyhedronNode& node, const glm::dmat4& matrix) {
         if (polyhedra_.insert(node.polyhedron.get()).second) scene_.polyhedra.push_back(node.polyhedron);
@@ -103,7 +100,7 @@ private:
     void add(const AreaLightNode& light, const glm::dmat4& matrix) {
         const glm::dmat4 place = glm::scale(glm::translate(matrix, light.centre), glm::dvec3(light.size));
         const auto number = static_cast<std::uint32_t>(scene_.lights.of<AreaLight>().size());
-        addInstance(Square{number}, place, Square::extent);
+        addInstance(Square{number}, place, Square().extent());
         scene_.lights.of<AreaLight>().push_back(lampAt(place, light.radiance, scene_.instances.back()));
         lamps_.push_back({scene_.instances.size() - 1, place});
     }
@@ -135,9 +132,11 @@ private:
     void liftLamps() {
         if (lamps_.empty()) return;
         std::vector<core::Bounds> boxes;
-        for (const Instance& instance : scene_.instances) boxes.push_back(instance.bounds());
-        std::vector<std::uint32_t> farthest(boxes.size());
-        std::iota(farthest.begin(), farthest.end(), 0u);
+        std::vector<std::uint32_t> farthest, endless;
+        for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) {
+            boxes.push_back(scene_.instances[i].bounds());
+            (isEndless(scene_.instances[i].shape) ? endless : farthest).push_back(i);
+        }
         const auto middle = farthest.begin() + static_cast<std::ptrdiff_t>(std::min(farthest.size(), mostLookedAt));
         const auto isFarther = [&](std::uint32_t a, std::uint32_t b) {
             return boxes[a].reach() != boxes[b].reach() ? boxes[a].reach() > boxes[b].reach() : a < b;
@@ -145,7 +144,11 @@ private:
         std::partial_sort(farthest.begin(), middle, farthest.end(), isFarther);
         for (std::size_t i = 0; i < lamps_.size(); ++i) {
             const Lamp& lamp = lamps_[i];
-            const float reach = reachOfTouching(lamp.instance, boxes, farthest);
+            float reach = reachOfTouching(lamp.instance, boxes, farthest);
+            // Of what has no end the part that is as far away as the lamp counts.
+            const auto isTouching = [&](std::uint32_t other) { return touch(boxes[other], boxes[lamp.instance]); };
+            if (std::any_of(endless.begin(), endless.end(), isTouching))
+                reach = std::max(reach, boxes[lamp.instance].reach());
             if (reach == 0) continue;
             const glm::dmat4 place =
                 glm::translate(glm::dmat4(1), normalOf(lamp.place) * (0x1p-19 * reach)) * lamp.place;
@@ -153,11 +156,13 @@ private:
             const glm::dmat4 inverse = glm::inverse(place);
             const RowSums sums(place, inverse);
             instance.place = placementOf(place, inverse, sums);
-            instance.error = errorOf(place, sums, Square::extent);
+            instance.error = errorOf(place, sums, Square().extent());
             AreaLight& light = scene_.lights.of<AreaLight>()[i];
             light = lampAt(place, light.radiance, instance);
         }
     }
+
+    static bool touch(const core::Bounds& a, const core::Bounds& b) { return !a.intersection(b).isEmpty(); }
 
     // The largest coordinate of what a lamp touches, or 0. Of many objects only those that reach farthest are looked
     // at; none of the others reaches farther than the last of those.
@@ -165,7 +170,7 @@ private:
                                  const std::vector<std::uint32_t>& farthest) {
         const std::size_t count = std::min(farthest.size(), mostLookedAt);
         for (std::size_t i = 0; i < count; ++i)
-            if (farthest[i] != lamp && !boxes[farthest[i]].intersection(boxes[lamp]).isEmpty())
+            if (farthest[i] != lamp && touch(boxes[farthest[i]], boxes[lamp]))
                 return std::max(boxes[farthest[i]].reach(), boxes[lamp].reach());
         return count == farthest.size() ? 0 : boxes[farthest[count - 1]].reach();
     }
@@ -272,13 +277,16 @@ bool takeLargest(Scene& scene, std::vector<core::Bounds>& boxes) {
 void sortForManyRays(Scene& scene) {
     constexpr std::size_t mostLarge = 12;
     scene.faces = facesOf(scene);
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-        if (scene.faces.isFlat.empty() || !scene.faces.isFlat[i]) scene.bodies.push_back(i);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        if (isEndless(scene.instances[i].shape))
+            scene.large.push_back(i);
+        else if (scene.faces.isFlat.empty() || !scene.faces.isFlat[i])
+            scene.bodies.push_back(i);
+    }
     std::vector<core::Bounds> boxes(scene.bodies.size());
     std::transform(scene.bodies.begin(), scene.bodies.end(), boxes.begin(),
                    [&](std::uint32_t i) { return scene.instances[i].bounds(); });
-    while (scene.large.size() < mostLarge && takeLargest(scene, boxes)) {
-    }
+    for (std::size_t taken = 0; taken < mostLarge && takeLargest(scene, boxes);) ++taken;
     std::sort(scene.large.begin(), scene.large.end());
 }
 

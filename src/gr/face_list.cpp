@@ -84,6 +84,20 @@ private:
                        static_cast<int>(square.light));
     }
 
+    // At the corners of a face.
+    static std::array<Coordinates<float>, 3> coordinatesOf(const Instance& instance, const Corners& c,
+                                                           const Vec3f& normal) {
+        const Vec3f objectNormal = instance.place.worldFromObject().transposed(normal);
+        std::array<Coordinates<float>, 3> at;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const ShapePoint<float> point{instance.place.objectFromWorld().point(Vec3f(c[i])), objectNormal, true};
+            const auto* square = std::get_if<Square>(&instance.shape);
+            at[i] =
+                square != nullptr ? square->coordinatesAt(point) : flatCoordinates<float>(point.position, point.normal);
+        }
+        return at;
+    }
+
     // c: counterclockwise as seen from the normal's side. Refuses a needle: a face is tested a hair too large, by so
     // much of its length that a needle, many times as long as wide, would be much too wide.
     bool addFace(std::vector<Face>& faces, const Instance& instance, const Corners& c, int light) {
@@ -91,25 +105,27 @@ private:
         const double square = glm::dot(across, across);
         const glm::dvec3 toU = glm::cross(edge2, across) / square, toV = glm::cross(across, edge1) / square;
         const Vec3f normal(glm::normalize(across));
-        const Vec3f objectNormal = instance.place.worldFromObject().transposed(normal);
-        SurfacePoint surface;
-        surface.objectNormal = objectNormal;
-        surface.instance = &instance;
+        const std::array<Coordinates<float>, 3> at = coordinatesOf(instance, c, normal);
         // A step of the error's 2.4-fold along each axis, across an edge that meets its neighbour at 15 degrees.
         const auto reach = [](const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
         const auto margin = static_cast<float>(4 * 2.4 * std::max({reach(toU), reach(toV), reach(toU + toV)}));
         const auto extent = static_cast<float>(reach(edge1) + reach(edge2));
         constexpr double mostSlender = 1024;
         if (!(reach(edge1) + reach(edge2) < mostSlender / std::max(reach(toU), reach(toV)))) return false;
-        faces.push_back({Vec3f(c[0]), normal, Vec3f(edge1), Vec3f(edge2), Vec3f(toU), Vec3f(toV), surface.tangent(),
-                         instance.error, instance.errorPerUnit(), extent, static_cast<float>(reach(toU)),
-                         static_cast<float>(reach(toV)), margin, static_cast<float>(instance.material),
-                         static_cast<float>(light)});
+        faces.push_back(
+            {Vec3f(c[0]), normal, Vec3f(edge1), Vec3f(edge2), Vec3f(toU), Vec3f(toV), at[0].uv, at[1].uv - at[0].uv,
+             at[2].uv - at[0].uv, instance.place.worldFromObject().vector(at[0].tangent), instance.error,
+             instance.errorPerUnit(), extent, static_cast<float>(reach(toU)), static_cast<float>(reach(toV)), margin,
+             static_cast<float>(instance.material), static_cast<float>(light)});
         return true;
     }
 
     // Points such that whatever lies behind a plane has some of them there, with how far rounding may have moved each.
     void collectPoints() {
+        // What has no end is behind all planes but those along it.
+        hasEndless_ = std::any_of(scene_.instances.begin(), scene_.instances.end(),
+                                  [](const Instance& instance) { return isEndless(instance.shape); });
+        if (hasEndless_) return;
         for (const Instance& instance : scene_.instances) {
             const auto add = [&](const Vec3f& p) {
                 points_.push_back({p, instance.error + instance.errorPerUnit() * core::largestComponent(p)});
@@ -135,7 +151,7 @@ private:
     // Between two points in front of a plane, it does not stand. What touches the plane counts as in front: the faces
     // that meet in a room's corner do, and a ball on the floor.
     bool isBlocking(const Face& face) const {
-        if (points_.size() > mostPoints) return true;
+        if (hasEndless_ || points_.size() > mostPoints) return true;
         for (const Vec3f& normal : {face.normal, -face.normal}) {
             const auto isBehind = [&](const Point& point) {
                 const double distance = glm::dot(glm::dvec3(normal), glm::dvec3(point.place) - glm::dvec3(face.corner));
@@ -161,6 +177,7 @@ private:
     };
     static constexpr std::size_t mostPoints = 4096;  // all faces are compared with all of them
     std::vector<Point> points_;
+    bool hasEndless_ = false;
 };
 
 }  // namespace

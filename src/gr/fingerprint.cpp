@@ -53,8 +53,15 @@ using Numbers = std::unordered_map<const Polyhedron*, std::uint64_t>;
 void addInstance(Hash& hash, const Instance& instance, const Numbers& polyhedra) {
     hash.add(instance.place.worldFromObject());
     hash.add(std::uint64_t{instance.shape.index()} << 32 | instance.material);
-    if (const auto* square = std::get_if<Square>(&instance.shape)) hash.add(std::uint64_t{square->light});
-    if (const auto* polyhedron = std::get_if<const Polyhedron*>(&instance.shape)) hash.add(polyhedra.at(*polyhedron));
+    const auto addShape = [&]<class S>(const S& shape) {
+        if constexpr (std::is_pointer_v<S>)
+            hash.add(polyhedra.at(shape));
+        else if constexpr (std::is_same_v<S, Square>)
+            hash.add(std::uint64_t{shape.light});
+        else
+            std::apply([&](const auto&... part) { (hash.add(part), ...); }, S::parts(shape));
+    };
+    std::visit(addShape, instance.shape);
 }
 
 }  // namespace

@@ -3,26 +3,31 @@
 namespace gr {
 namespace {
 
-struct ObjectBounds {
-    core::Bounds operator()(const Polyhedron* polyhedron) const { return polyhedron->bounds(); }
-    core::Bounds operator()(const Sphere&) const { return {core::Vec3f(-1), core::Vec3f(1)}; }
-    core::Bounds operator()(const Box&) const { return {core::Vec3f(0), core::Vec3f(1)}; }
-    core::Bounds operator()(const Square&) const { return {{-0.5f, 0, -0.5f}, {0.5f, 0, 0.5f}}; }
+// In the object's own space, and how far it reaches from the middle of that along the world's axes.
+struct Reach {
+    core::Bounds object;
+    core::Vec3f inWorld;
 };
+
+Reach reachOf(const Shape& shape, const core::Transform& map) {
+    const auto reach = [&]<class S>(const S& s) -> Reach {
+        if constexpr (std::is_pointer_v<S>)
+            return {s->bounds(), reachOfBox(map, s->bounds().size() * 0.5f)};
+        else
+            return {s.bounds(), s.reachUnder(map)};
+    };
+    return std::visit(reach, shape);
+}
 
 }  // namespace
 
 core::Bounds Instance::bounds() const {
     const core::Transform map = place.worldFromObject();
-    const core::Bounds object = std::visit(ObjectBounds{}, shape);
-    const core::Vec3f centre = map.point((object.low + object.high) * 0.5f), half = object.size() * 0.5f;
-    // A sphere reaches as far along each world axis as the root of the sum of squares, a box's corners as far as the
-    // sum.
-    const core::Vec3f reach = std::holds_alternative<Sphere>(shape)
-                                  ? glm::sqrt(map.x * map.x + map.y * map.y + map.z * map.z)
-                                  : glm::abs(map.x) * half.x + glm::abs(map.y) * half.y + glm::abs(map.z) * half.z;
-    const core::Bounds exact{centre - reach, centre + reach};
-    return exact.widened(2 * (error + errorPerUnit() * exact.reach()));
+    const Reach reach = reachOf(shape, map);
+    const core::Vec3f middle = isEndless(shape) ? core::Vec3f(0) : (reach.object.low + reach.object.high) * 0.5f;
+    const core::Vec3f centre = map.point(middle);
+    const core::Bounds exact{centre - reach.inWorld, centre + reach.inWorld};
+    return isEndless(shape) ? exact.widened(2 * error) : exact.widened(2 * (error + errorPerUnit() * exact.reach()));
 }
 
 }  // namespace gr

@@ -1,4 +1,5 @@
 #include "gr/accelerator.h"
+#include "gr/accelerators/object_pack.h"
 #include "gr/pack.h"
 #include "gr/scene.h"
 
@@ -7,20 +8,30 @@
 namespace gr {
 namespace {
 
-// For each shape without parameters, its instances in packs.
+// For each shape, its instances in packs.
+template<class Shape>
+using PackOf = ShapePack<Shape, core::AffineMap>;
 template<class>
 struct PacksOf;
 template<class... Shapes>
 struct PacksOf<std::variant<const Polyhedron*, Shapes...>> {
-    using Type = std::tuple<std::vector<InstancePack<Shapes>>...>;
+    using Type = std::tuple<std::vector<PackOf<Shapes>>...>;
 };
+
+// Calls f(t, first) for the packs' places, four at a time: their t, and the first place.
+template<class Pack, class F>
+void forEachFour(const core::Ray<PackLanes>& ray, const Pack& pack, F&& f) {
+    for (int first = 0; first < static_cast<int>(pack.count); first += packWidth)
+        f(pack.template intersect<PackLanes>(ray, first), first);
+}
 
 // The report's linear search, and the oracle for every other accelerator: every ray is tested against every object,
 // four of a kind at once.
 class NoAccelerator final : public Accelerator {
 public:
     NoAccelerator(const Scene& scene, Objects objects) : scene_(scene) {
-        for (const std::uint32_t i : objects) std::visit([&](auto shape) { add(i, shape); }, scene.instances[i].shape);
+        for (const std::uint32_t i : objects)
+            std::visit([&](const auto& shape) { add(i, shape); }, scene.instances[i].shape);
     }
 
     std::optional<Hit> intersect(const core::Rayf& ray, TraversalCounts& counts) const override {
@@ -38,13 +49,14 @@ public:
             });
         const core::Ray<PackLanes> lanesRay = broadcast(ray);
         forEachPack([&](const auto& pack) {
-            const PackLanes found = pack.intersect(lanesRay);
-            if (!xsimd::any(found <= PackLanes(nearest.t))) return false;
-            const LaneValues t(found);
-            for (int lane = 0; lane < packWidth; ++lane) {
-                const Hit hit{t[lane], pack.instance[lane]};
-                if (hit.isBefore(nearest)) nearest = hit;
-            }
+            forEachFour(lanesRay, pack, [&](const PackLanes& found, int first) {
+                if (!xsimd::any(found <= PackLanes(nearest.t))) return;
+                const LaneValues t(found);
+                for (int lane = 0; lane < packWidth; ++lane) {
+                    const Hit hit{t[lane], pack.instance[first + lane]};
+                    if (hit.isBefore(nearest)) nearest = hit;
+                }
+            });
             return false;
         });
         for (const std::uint32_t i : polyhedra_)
@@ -58,7 +70,12 @@ public:
         const PackLanes never(core::infinity);
         // Bodies first: they stand in the way more often than walls, which are meshes.
         const core::Ray<PackLanes> lanesRay = broadcast(ray);
-        bool isMet = forEachPack([&](const auto& pack) { return xsimd::any(pack.intersect(lanesRay) < never); });
+        bool isMet = forEachPack([&](const auto& pack) {
+            bool isAnyMet = false;
+            forEachFour(lanesRay, pack,
+                        [&](const PackLanes& found, int) { isAnyMet = isAnyMet || xsimd::any(found < never); });
+            return isAnyMet;
+        });
         if (isMet) return true;
         const PackRay packRay(ray);
         for (std::size_t i = 0; i < smallMeshes_.size() && !isMet; ++i)
@@ -104,15 +121,16 @@ private:
     }
 
     template<class Shape>
-    void add(std::uint32_t instance, Shape) {
+    void add(std::uint32_t instance, const Shape& shape) {
         ++objects_;
-        auto& packs = std::get<std::vector<InstancePack<Shape>>>(packs_);
-        std::size_t& count = counts_[scene_.instances[instance].shape.index()];
-        if (count % packWidth == 0) packs.emplace_back();
-        InstancePack<Shape>& pack = packs.back();
-        // The lanes behind are overwritten by the next ones; until then they repeat this one.
-        for (std::size_t lane = count % packWidth; lane < packWidth; ++lane) set(pack, lane, instance);
-        ++count;
+        auto& packs = std::get<std::vector<PackOf<Shape>>>(packs_);
+        if (packs.empty() || packs.back().count == treeWidth) packs.emplace_back();
+        PackOf<Shape>& pack = packs.back();
+        // The places behind are overwritten by the next ones; until then they repeat this one.
+        for (std::size_t place = pack.count++; place < treeWidth; ++place) {
+            pack.instance[place] = instance;
+            pack.set(place, scene_.instances[instance].place.objectFromWorld(), shape);
+        }
     }
 
     void add(std::uint32_t instance, const Polyhedron* polyhedron) {
@@ -131,30 +149,11 @@ private:
         }
     }
 
-    template<class Pack>
-    void set(Pack& pack, std::size_t lane, std::uint32_t instance) {
-        pack.instance[lane] = instance;
-        const core::Transform from = scene_.instances[instance].place.objectFromWorld();
-        const auto setLane = [lane](PackLanes& lanes, float value) {
-            alignas(16) float values[packWidth];
-            lanes.store_aligned(values);
-            values[lane] = value;
-            lanes = PackLanes::load_aligned(values);
-        };
-        for (int axis = 0; axis < 3; ++axis) {
-            setLane(pack.objectFromWorld.x[axis], from.x[axis]);
-            setLane(pack.objectFromWorld.y[axis], from.y[axis]);
-            setLane(pack.objectFromWorld.z[axis], from.z[axis]);
-            setLane(pack.objectFromWorld.translation[axis], from.translation[axis]);
-        }
-    }
-
     const Scene& scene_;
     std::uint64_t objects_ = 0;  // shapes and triangles
     std::vector<MeshPack> smallMeshes_;
     std::size_t smallTriangles_ = 0;
     typename PacksOf<Shape>::Type packs_;
-    std::array<std::size_t, std::variant_size_v<Shape>> counts_{};  // instances of each shape
     std::vector<std::uint32_t> polyhedra_;  // the other meshes
 };
 

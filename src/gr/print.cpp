@@ -7,25 +7,19 @@
 namespace gr {
 namespace {
 
-std::string vectorText(const glm::dvec3& v) {
-    return "{" + core::numberText(v.x) + " " + core::numberText(v.y) + " " + core::numberText(v.z) + "}";
-}
-
+// Behind the node's name.
 struct ContentText {
     std::string operator()(const TransformNode&) const { return "transform"; }
-    std::string operator()(const SphereNode& sphere) const {
-        return "sphere " + vectorText(sphere.centre) + " " + core::numberText(sphere.radius);
-    }
-    std::string operator()(const BoxNode& box) const {
-        return "box " + vectorText(box.corner) + " " + vectorText(box.size);
+    template<CompleteShapeNode Shape>
+    std::string operator()(const Shape& shape) const {
+        return std::string(Shape::kind) + " " + shape.text();
     }
     std::string operator()(const PolyhedronNode& node) const {
         const std::string what = node.file.empty() ? "polyhedron" : "mesh \"" + node.file + "\"";
         return what + " of " + std::to_string(node.polyhedron->triangleCount()) + " triangles";
     }
     std::string operator()(const AreaLightNode& light) const {
-        return "area light {" + core::optionText(light.radiance) + "} " + vectorText(light.centre) + " " +
-               core::numberText(light.size);
+        return "area light {" + core::optionText(light.radiance) + "} " + nodeText(light.centre, light.size);
     }
     std::string operator()(const InstanceNode& instance) const { return "instance of " + instance.target->path(); }
 };

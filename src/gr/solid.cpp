@@ -3,47 +3,38 @@
 namespace gr {
 namespace {
 
-bool holds(const Sphere&, const glm::dvec3& p) {
-    return glm::dot(p, p) < 1;
+core::Ray<double> reversed(const Line& line) {
+    return {line.at(line.end), -line.direction, line.end};
 }
 
-bool holds(const Box&, const glm::dvec3& p) {
-    return p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1 && p.z > 0 && p.z < 1;
+// At the end of a line: at its place there, or where it is that it goes to without one.
+template<class Solid>
+bool holdsEnd(const Solid& solid, const Line& line) {
+    if (line.end < std::numeric_limits<double>::infinity()) return solid.template level<double>(line.at(line.end)) < 0;
+    if (!Solid::isEndless) return false;
+    const double gain = solid.template level<double>(line.direction) - solid.template level<double>(glm::dvec3(0));
+    return gain != 0 ? gain < 0 : solid.template level<double>(line.origin) < 0;
 }
 
-// The t at which a line from within leaves.
-double exitOf(const Sphere&, const glm::dvec3& from, const glm::dvec3& direction) {
-    const double a = glm::dot(direction, direction), b = -glm::dot(from, direction);
-    const glm::dvec3 nearest = from + direction * (b / a);
-    const double root = std::sqrt(a * std::max(1 - glm::dot(nearest, nearest), 0.));
-    // Both roots without cancellation, as Sphere::intersect has them.
-    const double q = b + std::copysign(root, b);
-    return std::max(q / a, q == 0 ? 0 : (glm::dot(from, from) - 1) / q);
-}
-
-double exitOf(const Box&, const glm::dvec3& from, const glm::dvec3& direction) {
-    double exit = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis)
-        if (direction[axis] != 0) exit = std::min(exit, ((direction[axis] > 0 ? 1 : 0) - from[axis]) / direction[axis]);
-    return exit;
-}
-
-// A convex solid is crossed where just one end of the line is in it.
-template<class Convex>
-void addConvex(const Convex& solid, const Line& line, std::vector<SolidCrossing>& crossings) {
-    const bool isEndless = line.end == std::numeric_limits<double>::infinity();
-    const bool isBefore = holds(solid, line.origin), isAfter = !isEndless && holds(solid, line.at(line.end));
+// A solid is crossed where just one end of the line is in it: where the line first leaves it, or last enters it.
+template<class Solid>
+void addSolid(const Solid& solid, const Line& line, std::vector<SolidCrossing>& crossings) {
+    const bool isBefore = solid.template level<double>(line.origin) < 0, isAfter = holdsEnd(solid, line);
     if (isBefore == isAfter) return;
-    const double t = isBefore ? exitOf(solid, line.origin, line.direction)
-                              : line.end - exitOf(solid, line.at(line.end), -line.direction);
+    const bool looksBack = isAfter && line.end < std::numeric_limits<double>::infinity();
+    const double way = solid.template intersect<double>(
+        looksBack ? reversed(line) : core::Ray<double>{line.origin, line.direction, line.end});
+    // Rounding may see it beyond the other end.
+    const double t = looksBack ? line.end - way : way;
     crossings.push_back({std::clamp(t, 0., line.end), isAfter});
 }
 
 // Of each shape of the list its solid.
 struct Crossings {
-    void operator()(const Sphere& sphere) const { addConvex(sphere, line, found); }
-    void operator()(const Box& box) const { addConvex(box, line, found); }
-    void operator()(const Square&) const {}
+    template<class S>
+    void operator()(const S& shape) const {
+        if constexpr (S::isSolid) addSolid(shape, line, found);
+    }
     void operator()(const Polyhedron* mesh) const {
         if (!line.mayMeet(mesh->bounds())) return;
         const MeshLine meshLine(line);

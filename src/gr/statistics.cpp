@@ -5,23 +5,6 @@
 namespace gr {
 namespace {
 
-// Counts the node that it visits the content of.
-struct CountNode {
-    DatabaseStatistics& statistics;
-    std::unordered_set<const Polyhedron*>& meshes;
-
-    void operator()(const TransformNode&) const { ++statistics.transforms; }
-    void operator()(const SphereNode&) const { ++statistics.spheres; }
-    void operator()(const BoxNode&) const { ++statistics.boxes; }
-    void operator()(const PolyhedronNode& node) const {
-        ++statistics.polyhedra;
-        statistics.nodeBytes += core::allocatedBytes(node.file);
-        meshes.insert(node.polyhedron.get());
-    }
-    void operator()(const AreaLightNode&) const { ++statistics.areaLights; }
-    void operator()(const InstanceNode&) const { ++statistics.instances; }
-};
-
 // Behind a node: its name and its matrix.
 std::size_t partBytes(const Node& node) {
     return core::allocatedBytes(node.name) + (node.matrix ? core::allocatedBytes(sizeof(glm::dmat4)) : 0);
@@ -41,7 +24,11 @@ DatabaseStatistics Database::statistics() const {
     statistics.nodeBytes = core::allocatedByTable(index_) + partBytes(root_);
     std::unordered_set<const Polyhedron*> meshes;
     for (const auto& node : index_) {
-        std::visit(CountNode{statistics, meshes}, node->content);
+        ++statistics.nodes[node->content.index()];
+        if (const auto* mesh = std::get_if<PolyhedronNode>(&node->content)) {
+            statistics.nodeBytes += core::allocatedBytes(mesh->file);
+            meshes.insert(mesh->polyhedron.get());
+        }
         statistics.nodeBytes += core::allocatedBytes(sizeof(Node)) + partBytes(*node);
     }
     statistics.nodeBytes += core::allocatedByTable(instancesOf_);

@@ -1,101 +1,13 @@
 #include "grsh/commands.h"
-#include "grsh/place.h"
+#include "grsh/node_words.h"
 
 #include <array>
 
 namespace grsh {
 namespace {
 
-constexpr double mostCoordinate = 1e18;  // its square is still a float
-constexpr core::Range coordinate{.least = -mostCoordinate, .most = mostCoordinate};
-constexpr core::Range length{.least = 0, .most = mostCoordinate, .leastIncluded = false};
-
-glm::dvec3 position(Call& call, std::size_t i, std::string_view what) {
-    return call.words.vector(i, what, coordinate);
-}
-
-Tcl_Obj* create(Call& call, gr::NodeContent content) {
-    const gr::Node& node = call.session.database.create(call.words.text(0), call.words.text(1), std::move(content));
-    return textObject(node.path());
-}
-
-// Parent and name are looked at first: they come first in the script.
-void checkNew(Call& call) {
-    call.session.database.checkNew(call.words.text(0), call.words.text(1));
-}
-
 Tcl_Obj* makeTransform(Call& call) {
     return create(call, gr::TransformNode{});
-}
-
-Tcl_Obj* makeSphere(Call& call) {
-    if (call.words.size() == 3) throwWrongWords();
-    checkNew(call);
-    gr::SphereNode sphere;
-    if (call.words.size() == 4) {
-        sphere.centre = position(call, 2, "centre");
-        sphere.radius = call.words.number(3, "radius", length);
-    }
-    return create(call, sphere);
-}
-
-Tcl_Obj* makeBox(Call& call) {
-    if (call.words.size() == 3) throwWrongWords();
-    checkNew(call);
-    gr::BoxNode box;
-    if (call.words.size() == 4) {
-        box.corner = position(call, 2, "corner");
-        const bool isNumber = call.words.listLength(3) == 1;
-        box.size = isNumber ? glm::dvec3(call.words.number(3, "size", length)) : call.words.vector(3, "size", length);
-    }
-    return create(call, box);
-}
-
-std::vector<glm::dvec3> readVertices(Call& call) {
-    std::vector<glm::dvec3> vertices;
-    const auto elements = elementsOf(call.words.object(2), "vertices", "a list of {x y z}");
-    for (Tcl_Obj* element : elements)
-        vertices.push_back(vectorFrom(element, "vertex " + std::to_string(vertices.size()), coordinate));
-    if (vertices.size() < 3) throwBadValue("vertices", "at least three {x y z}", call.words.object(2));
-    return vertices;
-}
-
-std::vector<std::vector<int>> readFaces(Call& call, std::size_t vertexCount) {
-    const core::Range index{.least = 0, .most = static_cast<double>(vertexCount) - 1};
-    std::vector<std::vector<int>> faces;
-    for (Tcl_Obj* element : elementsOf(call.words.object(3), "faces", "a list of {i j k ...}")) {
-        const std::string what = "face " + std::to_string(faces.size());
-        const auto corners = elementsOf(element, what, "a list of vertex numbers");
-        if (corners.size() < 3) throwBadValue(what, "at least three vertex numbers", element);
-        std::vector<int>& face = faces.emplace_back();
-        for (Tcl_Obj* corner : corners) face.push_back(integerFrom(corner, "vertex number in " + what, index));
-    }
-    if (faces.empty()) throwBadValue("faces", "at least one {i j k ...}", call.words.object(3));
-    return faces;
-}
-
-Tcl_Obj* makePolyhedron(Call& call) {
-    checkNew(call);
-    gr::PolygonMesh mesh;
-    mesh.vertices = readVertices(call);
-    mesh.faces = readFaces(call, mesh.vertices.size());
-    gr::MeshRepairs repairs;
-    const auto polyhedron = gr::Polyhedron::make(mesh, repairs);
-    Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron});
-    if (const std::string text = repairs.text(); !text.empty())
-        warn(call, "gr_polyhedron: " + std::string(textOf(path)) + ": " + text);
-    return path;
-}
-
-Tcl_Obj* makeMesh(Call& call) {
-    checkNew(call);
-    const std::string file(call.words.text(2));
-    gr::MeshRepairs repairs;
-    const auto polyhedron = call.session.database.readMesh(besideScript(call.interp, file), file, repairs);
-    Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron, file});
-    if (const std::string text = repairs.text(); !text.empty())
-        warn(call, "gr_mesh: " + std::string(textOf(path)) + ": \"" + file + "\": " + text);
-    return path;
 }
 
 Tcl_Obj* makeInstance(Call& call) {
@@ -154,16 +66,8 @@ Tcl_Obj* print(Call& call) {
     return textObject(call.session.database.print(call.words.size() == 1 ? call.words.text(0) : ":"));
 }
 
-constexpr std::array<Command, 13> rows{{
+constexpr std::array<Command, 9> rows{{
     {"gr_transform", "", "pname name", 2, 2, makeTransform, "makes an inner node, which holds others"},
-    {"gr_sphere", "", "pname name ?{x y z} radius?", 2, 4, makeSphere,
-     "makes a sphere; without the tail, the unit sphere at the origin"},
-    {"gr_box", "gr_cube", "pname name ?{x y z} size?", 2, 4, makeBox,
-     "makes a box from the corner {x y z} to corner + size, a number or {sx sy sz}; without the tail, [0,1]^3"},
-    {"gr_polyhedron", "", "pname name {{x y z} ...} {{i j k ...} ...}", 4, 4, makePolyhedron,
-     "makes a polygon mesh: vertices, then faces of vertex numbers from 0; any simple polygon, concave ones too"},
-    {"gr_mesh", "", "pname name file", 3, 3, makeMesh,
-     "makes a mesh from a file, .obj, .ply, .stl, .gltf or .glb; its path is relative to the script's folder"},
     {"gr_instance", "", "pname name target", 3, 3, makeInstance, "places the subtree at the path target once more"},
     {"gr_als_planar", "", "pname name {r g b} {x y z} size", 5, 5, makeAreaLight,
      "makes a square area light centred at {x y z} in the x-z plane, with radiance {r g b} from its -y side"},

@@ -11,13 +11,12 @@ Tcl_Obj* objectsObject(double objects) {
     return objects < 0x1p53 ? countObject(static_cast<std::uint64_t>(objects)) : Tcl_NewDoubleObj(objects);
 }
 
+// How many nodes there are of each kind.
 Tcl_Obj* nodesDict(const gr::DatabaseStatistics& statistics) {
-    return dictOf({{"transforms", countObject(statistics.transforms)},
-                   {"spheres", countObject(statistics.spheres)},
-                   {"boxes", countObject(statistics.boxes)},
-                   {"polyhedra", countObject(statistics.polyhedra)},
-                   {"arealights", countObject(statistics.areaLights)},
-                   {"instances", countObject(statistics.instances)}});
+    return [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        std::size_t kind = 0;
+        return dictOf({{Kinds::plural.data(), countObject(statistics.nodes[kind++])}...});
+    }(std::type_identity<gr::NodeContent>());
 }
 
 Tcl_Obj* stats(Call& call) {

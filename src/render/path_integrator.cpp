@@ -115,7 +115,7 @@ private:
         RayCounts& rays = samples.rays;
         // Find the nearest surface; a path that leaves the scene ends in the background.
         const gr::HitOf<Real> hit = tracer_.nearest(paths.ray, paths.alive, rays.traversal);
-        const gr::SurfacePointOf<Real> surface = tracer_.surfaceAt(paths.ray, hit);
+        const gr::SurfacePoint<Real> surface = tracer_.surfaceAt(paths.ray, hit);
         const Mask<Real> isMet = paths.alive & surface.isMet();
         const ShadingPoints<Real> points(scene_, paths.ray, surface, isMet & (surface.light < Real(0)));
         if (!samples.first.empty()) tellFirst(paths, points, camera.depth(paths.ray, surface.t), isMet, samples);

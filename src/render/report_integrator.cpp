@@ -11,14 +11,14 @@ using core::Vec3f;
 using materials::BsdfSample;
 using materials::Interior;
 
-core::Frame<float> frameOf(const gr::SurfacePoint& surface, const Vec3f& normal) {
-    const bool isAnisotropic = std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, *surface.material);
-    return isAnisotropic ? core::Frame<float>(normal, surface.tangent()) : core::Frame<float>(normal);
+bool isAnisotropic(const materials::Material& material) {
+    return std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, material);
 }
 
 // A surface point as the path sees it: the normals are turned to where the path comes from.
 struct ShadingPoint {
-    gr::SurfacePoint surface;
+    const materials::Material& material;
+    gr::SurfacePoint<float> surface;
     bool fromOutside;
     Vec3f normal;
     core::Frame<float> frame;  // round the shading normal
@@ -26,18 +26,19 @@ struct ShadingPoint {
     const Interior* interior;  // null for what is opaque: there both sides are alike
 
     ShadingPoint(const gr::Scene& scene, const Rayf& ray, const gr::Hit& hit)
-        : surface(scene.surfaceAt(ray, hit)),
+        : material(scene.materials[scene.instances[hit.instance].material]),
+          surface(scene.surfaceAt(ray, hit, isAnisotropic(material))),
           fromOutside(glm::dot(ray.direction, surface.normal) < 0),
           normal(fromOutside ? surface.normal : -surface.normal),
-          frame(frameOf(surface, fromOutside ? surface.shadingNormal() : -surface.shadingNormal())),
+          frame(frameRound(fromOutside ? surface.shadingNormal : -surface.shadingNormal)),
           wo(frame.toLocal(-ray.direction)),
-          interior(scene.interiorOf(surface.instance->material)) {}
+          interior(scene.interiorOf(scene.instances[hit.instance].material)) {}
 
     // f * |cos| towards light in a direction of the world.
     Rgbf eval(const Vec3f& direction) const {
         const Vec3f wi = frame.toLocal(direction);
         if (isOnWrongSide(wi)) return Rgbf(0);
-        return std::visit([&](const auto& bsdf) { return bsdf.template eval<float>(wo, wi); }, *surface.material);
+        return std::visit([&](const auto& bsdf) { return bsdf.template eval<float>(wo, wi); }, material);
     }
     // One of the material's ways to go on, and a direction that it takes.
     BsdfSample<float> sample(Sampler& sampler, const Media& media) const {
@@ -47,7 +48,7 @@ struct ShadingPoint {
         const auto draw = [&](const auto& bsdf) {
             return bsdf.template sample<float>(wo, {method, place}, indexBeyond);
         };
-        return std::visit(draw, *surface.material);
+        return std::visit(draw, material);
     }
     // Whether a direction of the frame is above the surface as it is shaded and below it as it lies, or the other way
     // round: light from there would shine through the surface.
@@ -56,13 +57,19 @@ struct ShadingPoint {
     }
     // The ray that goes on in direction wi of the frame.
     Rayf rayTowards(const Vec3f& wi) const { return {surface.offset(wi.z < 0 ? -normal : normal), frame.toWorld(wi)}; }
+    bool isLight() const { return surface.light >= 0; }
     // A light reflects nothing.
     Rgbf albedo() const {
-        if (surface.light != nullptr) return Rgbf(0);
-        return std::visit([](const auto& bsdf) { return bsdf.albedo(); }, *surface.material);
+        if (isLight()) return Rgbf(0);
+        return std::visit([](const auto& bsdf) { return bsdf.albedo(); }, material);
     }
     Rgbf ambientReflectance() const {
-        return std::visit([](const auto& bsdf) { return bsdf.ambientReflectance(); }, *surface.material);
+        return std::visit([](const auto& bsdf) { return bsdf.ambientReflectance(); }, material);
+    }
+
+private:
+    core::Frame<float> frameRound(const Vec3f& z) const {
+        return isAnisotropic(material) ? core::Frame<float>(z, surface.tangent) : core::Frame<float>(z);
     }
 };
 
@@ -101,8 +108,10 @@ public:
             throughput *= media.transmittance(hit->t);
 
             // A path ends at a light. Its back is dark.
-            if (const gr::AreaLight* light = point.surface.light) {
-                if (point.fromOutside && countsEmission) radiance += throughput * light->emitted();
+            if (point.isLight()) {
+                const gr::AreaLight& light =
+                    scene_.lights.of<gr::AreaLight>()[static_cast<std::size_t>(point.surface.light)];
+                if (point.fromOutside && countsEmission) radiance += throughput * light.emitted();
                 return radiance;
             }
 

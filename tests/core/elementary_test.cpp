@@ -123,5 +123,32 @@ TEST(Elementary, BoundTellsFaults) {
     EXPECT_GT(relativeError(tooShort, std::log(static_cast<double>(m))), bound);
 }
 
+// All round, and at every ratio of height and width.
+TEST(Atan2, IsTheAngleOfADirection) {
+    double worst = 0;
+    for (int i = 0; i < 1'000'000; ++i) {
+        const double turn = 2 * M_PI * (i / 1e6 - 0.5), size = std::exp2(i % 41 - 20);
+        const auto x = static_cast<float>(size * std::cos(turn)), y = static_cast<float>(size * std::sin(turn));
+        worst =
+            std::max(worst, std::abs(atan2<float>(y, x) - std::atan2(static_cast<double>(y), static_cast<double>(x))));
+    }
+    EXPECT_LT(worst, 0x1p-21);
+    for (float ratio = 1e-30f; ratio < 1e30f; ratio *= 1.01f) {
+        const double expected = std::atan(static_cast<double>(ratio));
+        ASSERT_LT(relativeError(atan2<float>(ratio, 1), expected), 4 * 0x1p-23) << ratio;
+        ASSERT_LT(relativeError(atan2<float>(1, ratio), std::atan2(1., static_cast<double>(ratio))), 4 * 0x1p-23)
+            << ratio;
+    }
+}
+
+TEST(Atan2, HoldsAlongTheAxes) {
+    EXPECT_EQ(atan2<float>(0, 0), 0);
+    EXPECT_EQ(atan2<float>(0, 2), 0);
+    EXPECT_FLOAT_EQ(atan2<float>(3, 0), pi / 2);
+    EXPECT_FLOAT_EQ(atan2<float>(-3, 0), -pi / 2);
+    EXPECT_FLOAT_EQ(atan2<float>(0, -1), pi);
+    EXPECT_FLOAT_EQ(atan2<float>(-1, -1), -0.75f * pi);
+}
+
 }  // namespace
 }  // namespace core

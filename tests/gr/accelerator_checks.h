@@ -132,7 +132,8 @@ private:
 
 inline core::Bounds boundsOf(const Scene& scene) {
     core::Bounds bounds;
-    for (const Instance& instance : scene.instances) bounds.include(instance.bounds());
+    for (const Instance& instance : scene.instances)
+        if (!isEndless(instance.shape)) bounds.include(instance.bounds());
     return bounds;
 }
 

@@ -35,6 +35,7 @@ struct ConvexShape {
     bool isRound;
     bool isFlat;
     bool isMesh;
+    glm::dvec3 inside{0};  // a place within
 };
 
 inline std::vector<ConvexShape> convexShapes() {
@@ -42,7 +43,28 @@ inline std::vector<ConvexShape> convexShapes() {
             {"Box", BoxNode{glm::dvec3(-1), glm::dvec3(2)}, false, false, false},
             {"CubeMesh", polyhedronNode(cubeMesh()), false, false, true},
             {"Icosphere", polyhedronNode(icosphereMesh(1)), true, false, true},
-            {"Square", AreaLightNode{core::Rgbf(1), glm::dvec3(0), 2}, false, true, false}};
+            {"Cylinder", CylinderNode{{0, -1, 0}, 1, 2}, true, false, false},
+            {"Cone", ConeNode{{0, -1, 0}, 1, 2, 0}, true, false, false},
+            {"ConeCut", ConeNode{{0, -1, 0}, 1, 2, 0.3}, true, false, false},
+            {"Cup", ConeNode{{0, -1, 0}, 0.3, 2, 1}, true, false, false},
+            {"Square", AreaLightNode{core::Rgbf(1), glm::dvec3(0), 2}, false, true, false},
+            {"Disc", DiscNode{}, false, true, false},
+            {"Ring", DiscNode{.hole = 0.5}, false, true, false}};
+}
+
+inline std::vector<ConvexShape> convexSolids() {
+    std::vector<ConvexShape> shapes = convexShapes();
+    std::erase_if(shapes, [](const ConvexShape& shape) { return shape.isFlat; });
+    return shapes;
+}
+
+// Shapes that hold what is inside of them.
+inline std::vector<ConvexShape> closedShapes() {
+    std::vector<ConvexShape> shapes = convexSolids();
+    shapes.push_back({"Torus", TorusNode{.radius = 0.75, .tube = 0.25}, true, false, false, {0.75, 0, 0}});
+    shapes.push_back({"ThinTorus", TorusNode{.radius = 0.98, .tube = 0.02}, true, false, false, {0.98, 0, 0}});
+    shapes.push_back({"FatTorus", TorusNode{.radius = 0.52, .tube = 0.48}, true, false, false, {0, 0, 0.52}});
+    return shapes;
 }
 
 // A shape turned and stretched at random.

@@ -13,7 +13,7 @@ using core::Vec3f;
 
 class CrossingTest : public testing::TestWithParam<std::size_t> {
 protected:
-    CrossingTest() : shape_(convexShapes()[GetParam()]) {}
+    CrossingTest() : shape_(convexSolids()[GetParam()]) {}
 
     ConvexShape shape_;
     const int placesOfEach_ = rayCount(4);
@@ -55,10 +55,10 @@ TEST_P(CrossingTest, GoesInAndOutOnce) {
 }
 
 std::string nameOf(const testing::TestParamInfo<std::size_t>& info) {
-    return convexShapes()[info.param].name;
+    return convexSolids()[info.param].name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CrossingTest, testing::Range<std::size_t>(0, 4), nameOf);  // all that have an inside
+INSTANTIATE_TEST_SUITE_P(All, CrossingTest, testing::Range<std::size_t>(0, convexSolids().size()), nameOf);
 
 }  // namespace
 }  // namespace gr

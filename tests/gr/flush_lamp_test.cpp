@@ -96,7 +96,7 @@ TEST_P(FlushLamp, IsMetFromItsSide) {
                     const core::Rayf ray{start, glm::normalize(end - start)};
                     const auto surface = tracer.surfaceAt(ray, tracer.nearest(ray, true, counts));
                     const auto hit = off->intersect(ray);
-                    const bool isMet = surface.light >= 0 && hit && scene.surfaceAt(ray, *hit).light != nullptr;
+                    const bool isMet = surface.light >= 0 && hit && scene.surfaceAt(ray, *hit).light >= 0;
                     const bool isOurs =
                         isMet && scene.lights.of<AreaLight>()[static_cast<std::size_t>(surface.light)].radiance.x == 1;
                     met += isOurs && glm::dot(ray.direction, surface.normal) < 0 ? 1 : 0;

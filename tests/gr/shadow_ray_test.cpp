@@ -40,7 +40,7 @@ class ShadowRayTest : public testing::TestWithParam<std::size_t> {};
 
 // Without its share for how far away the ray starts, the light itself was in the way of one segment in a hundred.
 TEST_P(ShadowRayTest, NothingIsInTheWay) {
-    const ConvexShape shape = convexShapes()[GetParam()];
+    const ConvexShape shape = convexSolids()[GetParam()];
     support::TestRandom random(3);
     Violations blocked;
     int segments = 0;
@@ -52,7 +52,7 @@ TEST_P(ShadowRayTest, NothingIsInTheWay) {
             const std::optional<Hit> hit = place.accelerator->intersect(ray);
             if (!hit) continue;
             const SurfacePoint surface = place.scene.surfaceAt(ray, *hit);
-            if (surface.light != nullptr) continue;
+            if (surface.light >= 0) continue;
             const Vec3f start = surface.offset(surface.normal);
             for (int j = 0; j < 4; ++j) {
                 const float u = static_cast<float>(random.next()), v = static_cast<float>(random.next());
@@ -72,8 +72,8 @@ TEST_P(ShadowRayTest, NothingIsInTheWay) {
     EXPECT_GT(segments, 80'000);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShadowRayTest, testing::Range<std::size_t>(0, 4),
-                         [](const auto& info) { return std::string(convexShapes()[info.param].name); });
+INSTANTIATE_TEST_SUITE_P(All, ShadowRayTest, testing::Range<std::size_t>(0, convexSolids().size()),
+                         [](const auto& info) { return std::string(convexSolids()[info.param].name); });
 
 // The end is a hair before the light, whatever the light's distance: so what touches the light still casts its shadow.
 TEST(ShadowRay, EndsCloseToTheLight) {

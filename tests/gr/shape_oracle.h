@@ -63,6 +63,58 @@ inline OracleHit meetSquare(const OracleRay& ray, double grown) {
     return hit;
 }
 
+// A solid by how far away it is at least, less than 0 inside: each step along the ray is that long, so that none leads
+// through the surface (Hart 1996).
+template<class Distance>
+OracleHit meetSolid(const OracleRay& ray, Distance&& distance) {
+    const double length = glm::length(ray.direction), beyond = glm::length(ray.origin) + 8;
+    double way = 0;
+    for (int step = 0; step < 5000 && way < beyond; ++step) {
+        const glm::dvec3 p = ray.at(way / length);
+        const double left = std::abs(distance(p));
+        if (left > 1e-10) {
+            way += left;
+            continue;
+        }
+        constexpr double e = 1e-7;
+        const auto slope = [&](const glm::dvec3& axis) { return distance(p + axis * e) - distance(p - axis * e); };
+        return {way / length, {slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})}};
+    }
+    return {};
+}
+
+// By how much a place is beside a cone of that radius at its top, across its side, or beyond one of its caps.
+inline OracleShape meetCone(double top) {
+    return [top](const OracleRay& ray, double grown) {
+        return meetSolid(ray, [&](const glm::dvec3& p) {
+            const double side = std::hypot(p.x, p.z) - (1 + (top - 1) * p.y) - grown;
+            return std::max({side / std::hypot(1, top - 1), -p.y - grown, p.y - 1 - grown});
+        });
+    };
+}
+
+inline OracleShape meetTorus(double tube) {
+    return [tube](const OracleRay& ray, double grown) {
+        return meetSolid(ray,
+                         [&](const glm::dvec3& p) { return std::hypot(std::hypot(p.x, p.z) - 1, p.y) - tube - grown; });
+    };
+}
+
+inline OracleShape meetDisc(double hole) {
+    return [hole](const OracleRay& ray, double grown) {
+        const double t = -ray.origin.y / ray.direction.y, radius = std::hypot(ray.at(t).x, ray.at(t).z);
+        OracleHit hit;
+        if (radius <= 1 + grown && (hole == 0 || radius >= hole - grown)) hit.nearer(t, {0, 1, 0});
+        return hit;
+    };
+}
+
+inline OracleHit meetPlane(const OracleRay& ray, double) {
+    OracleHit hit;
+    hit.nearer(-ray.origin.y / ray.direction.y, {0, 1, 0});
+    return hit;
+}
+
 // Möller and Trumbore: Cramer's rule for t and the weights of the second and the third vertex.
 inline OracleHit meetMesh(const PolygonMesh& triangles, const OracleRay& ray, double grown) {
     OracleHit hit;
@@ -87,8 +139,10 @@ inline PolygonMesh concaveMesh() {
 
 // A shape in the world, as a node and as the oracle sees it.
 struct OracleObject {
+    const char* name;
     NodeContent content;
     OracleShape shape;
+    glm::dvec2 over{0.1, 0.2};  // the x and z of a place that it is below
     glm::dmat4 worldFromObject{1};
 
     // The hit in the world; nothing where the ray passes so close to an edge that rounding may decide.
@@ -105,17 +159,27 @@ struct OracleObject {
     }
 };
 
-inline OracleObject oracleMesh(const PolygonMesh& triangles) {
-    return {polyhedronNode(triangles),
+inline OracleObject oracleMesh(const char* name, const PolygonMesh& triangles) {
+    return {name, polyhedronNode(triangles),
             [triangles](const OracleRay& ray, double grown) { return meetMesh(triangles, ray, grown); }};
 }
 
 inline std::vector<OracleObject> oracleObjects() {
-    return {{SphereNode{}, meetSphere},
-            {BoxNode{}, meetBox},
-            {AreaLightNode{core::Rgbf(1), glm::dvec3(0), 1}, meetSquare},
-            oracleMesh(icosphereMesh(1)),
-            oracleMesh(concaveMesh())};
+    return {{"Sphere", SphereNode{}, meetSphere},
+            {"Box", BoxNode{}, meetBox},
+            {"Square", AreaLightNode{core::Rgbf(1), glm::dvec3(0), 1}, meetSquare},
+            oracleMesh("Icosphere", icosphereMesh(1)),
+            oracleMesh("ConcaveMesh", concaveMesh()),
+            {"Cylinder", CylinderNode{}, meetCone(1)},
+            {"Cone", ConeNode{}, meetCone(0)},
+            {"ConeCut", ConeNode{.topRadius = 0.4}, meetCone(0.4)},
+            {"Cup", ConeNode{.topRadius = 2}, meetCone(2)},
+            {"Torus", TorusNode{}, meetTorus(0.25), {0.8, 0.6}},
+            {"ThinTorus", TorusNode{.tube = 0.02}, meetTorus(0.02), {0.8, 0.6}},
+            {"FatTorus", TorusNode{.tube = 0.9}, meetTorus(0.9), {0.8, 0.6}},
+            {"Disc", DiscNode{}, meetDisc(0)},
+            {"Ring", DiscNode{.hole = 0.6}, meetDisc(0.6), {0.8, 0}},
+            {"Plane", PlaneNode{}, meetPlane}};
 }
 
 }  // namespace gr

@@ -66,8 +66,9 @@ TEST_P(ShapeTest, IsMetWhereTheOracleSays) {
             EXPECT_GT(glm::dot(glm::dvec3(surface.normal), normal), 1 - 1e-5) << "place " << i << ", ray " << j;
         }
     }
-    EXPECT_GT(hits, 15000);
-    EXPECT_GT(misses, 10000);
+    // The thinnest shape is met least, the fattest missed least.
+    EXPECT_GT(hits, 3000);
+    EXPECT_GT(misses, 3000);
     EXPECT_LT(doubtful, 2000);
 }
 
@@ -98,10 +99,19 @@ TEST_P(ShapeTest, ThePointIsOnTheSurface) {
 }
 
 std::string nameOf(const testing::TestParamInfo<std::size_t>& info) {
-    return std::array{"Sphere", "Box", "Square", "Icosphere", "ConcaveMesh"}.at(info.param);
+    return oracleObjects()[info.param].name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShapeTest, testing::Range<std::size_t>(0, 5), nameOf);
+INSTANTIATE_TEST_SUITE_P(All, ShapeTest, testing::Range<std::size_t>(0, oracleObjects().size()), nameOf);
+
+TEST(ShapeOracles, AreThereForEveryShapeOfTheList) {
+    std::vector<bool> has(std::variant_size_v<NodeContent>);
+    for (const OracleObject& object : oracleObjects()) has[object.content.index()] = true;
+    const auto check = [&]<class Node>(const Node& node) { EXPECT_TRUE(has[NodeContent(node).index()]) << Node::kind; };
+    [&]<class... Nodes>(std::type_identity<ShapeNodeList<Nodes...>>) {
+        (check(Nodes{}), ...);
+    }(std::type_identity<ShapeNodes>());
+}
 
 }  // namespace
 }  // namespace gr

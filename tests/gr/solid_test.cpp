@@ -59,6 +59,68 @@ TEST(SolidCrossings, TellWhetherAPointIsInABox) {
     EXPECT_NEAR(crossings[0].t, 6, 1e-12);
 }
 
+// Whether a point is within a shape of the list, in double precision.
+struct Within {
+    const char* name;
+    NodeContent content;
+    bool (*holds)(const glm::dvec3& p);
+};
+
+std::vector<Within> solids() {
+    static constexpr auto radius = [](const glm::dvec3& p) { return std::hypot(p.x, p.z); };
+    return {{"sphere", SphereNode{}, [](const glm::dvec3& p) { return glm::length(p) < 1; }},
+            {"box", BoxNode{glm::dvec3(-0.5), glm::dvec3(1)},
+             [](const glm::dvec3& p) {
+                 return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 0.5;
+             }},
+            {"cylinder", CylinderNode{{0, -0.5, 0}, 1, 1},
+             [](const glm::dvec3& p) { return radius(p) < 1 && std::abs(p.y) < 0.5; }},
+            {"cone", ConeNode{{0, -0.5, 0}, 1, 1},
+             [](const glm::dvec3& p) { return radius(p) < 0.5 - p.y && std::abs(p.y) < 0.5; }},
+            {"cup", ConeNode{{0, -0.5, 0}, 0.4, 1, 1.2},
+             [](const glm::dvec3& p) { return radius(p) < 0.8 * (p.y + 1) && std::abs(p.y) < 0.5; }},
+            {"torus", TorusNode{.radius = 0.7, .tube = 0.4},
+             [](const glm::dvec3& p) { return std::hypot(radius(p) - 0.7, p.y) < 0.4; }},
+            {"plane", PlaneNode{{0, 0.1, 0}, {0, 1, 0}}, [](const glm::dvec3& p) { return p.y < 0.1; }}};
+}
+
+// From any place to any other, and without end.
+TEST(SolidCrossings, TellOnWhichSideOfEachShapeTheEndsAre) {
+    support::TestRandom random(9);
+    for (const Within& solid : solids()) {
+        const Scene scene = sceneOf(solid.content);
+        int inside = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            const core::Vec3f from(randomPoint(random, -1.5, 1.5)), to(randomPoint(random, -1.5, 1.5));
+            const bool isIn = solid.holds(from), endsIn = solid.holds(glm::dvec3(from) + glm::dvec3(to - from));
+            inside += isIn;
+            ASSERT_EQ(exitsOf(scene, {from, to - from, 1}), isIn - endsIn) << solid.name;
+            const bool endsBelow = isEndless(scene.instances[0].shape) && to.y < from.y;
+            ASSERT_EQ(exitsOf(scene, {from, to - from}), isIn - endsBelow) << solid.name;
+            std::vector<SolidCrossing> crossings;
+            addCrossings(scene.instances[0], {from, to - from, 1}, crossings);
+            for (const SolidCrossing& crossing : crossings) {
+                const auto at = [&](double t) { return glm::dvec3(from) + glm::dvec3(to - from) * t; };
+                ASSERT_NE(solid.holds(at(crossing.t - 1e-6)), solid.holds(at(crossing.t + 1e-6))) << solid.name;
+                ASSERT_EQ(solid.holds(at(crossing.t + 1e-6)), crossing.enters) << solid.name;
+            }
+        }
+        EXPECT_GT(inside, 200) << solid.name;
+    }
+}
+
+// A shape of the list that holds something must be among those above.
+TEST(SolidCrossings, AreTestedForEveryShapeOfTheList) {
+    std::vector<bool> has(std::variant_size_v<Shape>);
+    for (const Within& solid : solids()) has[sceneOf(solid.content).instances[0].shape.index()] = true;
+    const auto check = [&]<class Node>(const Node& node) {
+        EXPECT_EQ(has[Shape(node.shape()).index()], decltype(node.shape())::isSolid) << Node::kind;
+    };
+    [&]<class... Nodes>(std::type_identity<ShapeNodeList<Nodes...>>) {
+        (check(Nodes{}), ...);
+    }(std::type_identity<ShapeNodes>());
+}
+
 // From one point to another only what lies between them counts.
 TEST(SolidCrossings, EndWithTheRay) {
     for (const NodeContent& content :

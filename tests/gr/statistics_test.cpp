@@ -7,10 +7,19 @@
 namespace gr {
 namespace {
 
+template<class Node>
+std::size_t count(const DatabaseStatistics& statistics) {
+    return statistics.nodes[NodeContent(Node{}).index()];
+}
+
 TEST(Statistics, OfNothing) {
     const DatabaseStatistics statistics = Database().statistics();
-    EXPECT_EQ(statistics.transforms + statistics.spheres + statistics.boxes + statistics.polyhedra, 0u);
-    EXPECT_EQ(statistics.areaLights + statistics.instances + statistics.meshes + statistics.triangles, 0u);
+    EXPECT_EQ(count<TransformNode>(statistics) + count<SphereNode>(statistics) + count<BoxNode>(statistics) +
+                  count<PolyhedronNode>(statistics),
+              0u);
+    EXPECT_EQ(
+        count<AreaLightNode>(statistics) + count<InstanceNode>(statistics) + statistics.meshes + statistics.triangles,
+        0u);
     EXPECT_EQ(statistics.materials + statistics.lights, 0u);
     EXPECT_EQ(statistics.objects, 0);
     EXPECT_EQ(statistics.nodeBytes + statistics.meshBytes + statistics.materialBytes, 0u);
@@ -35,12 +44,12 @@ TEST(Statistics, EveryKindIsCountedUnderItsName) {
     for (int i = 0; i < 8; ++i) database.addLight(std::to_string(i), {});
 
     const DatabaseStatistics statistics = database.statistics();
-    EXPECT_EQ(statistics.transforms, 1u);
-    EXPECT_EQ(statistics.spheres, 2u);
-    EXPECT_EQ(statistics.boxes, 3u);
-    EXPECT_EQ(statistics.polyhedra, 4u);
-    EXPECT_EQ(statistics.areaLights, 5u);
-    EXPECT_EQ(statistics.instances, 6u);
+    EXPECT_EQ(count<TransformNode>(statistics), 1u);
+    EXPECT_EQ(count<SphereNode>(statistics), 2u);
+    EXPECT_EQ(count<BoxNode>(statistics), 3u);
+    EXPECT_EQ(count<PolyhedronNode>(statistics), 4u);
+    EXPECT_EQ(count<AreaLightNode>(statistics), 5u);
+    EXPECT_EQ(count<InstanceNode>(statistics), 6u);
     EXPECT_EQ(statistics.materials, 7u);
     EXPECT_EQ(statistics.lights, 8u);
     EXPECT_EQ(statistics.meshes, 2u);
@@ -58,7 +67,7 @@ TEST(Statistics, ObjectsAreThoseOfInstancesSpreadOut) {
         for (const char* name : {"a", "b"}) database.createInstance(path, name, ":" + std::to_string(i - 1));
     }
     EXPECT_EQ(database.statistics().objects, std::exp2(101) - 1);
-    EXPECT_EQ(database.statistics().spheres, 1u);
+    EXPECT_EQ(count<SphereNode>(database.statistics()), 1u);
     database.remove(":100");
     EXPECT_EQ(database.statistics().objects, std::exp2(100) - 1);
 }
@@ -71,7 +80,7 @@ TEST(Statistics, WhatIsRemovedIsNotCounted) {
     database.create(":", "mesh", PolyhedronNode{Polyhedron::make(uvSphereMesh(4, 5), repairs)});
     database.addMaterial("clay", {});
     database.remove(":group");
-    EXPECT_EQ(database.statistics().transforms + database.statistics().spheres, 0u);
+    EXPECT_EQ(count<TransformNode>(database.statistics()) + count<SphereNode>(database.statistics()), 0u);
     EXPECT_EQ(database.statistics().objects, 1);
     database.reset();
     EXPECT_EQ(database.statistics().objects, 0);

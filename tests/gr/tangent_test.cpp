@@ -27,7 +27,7 @@ protected:
         accelerator = makeNoAccelerator(scene);
     }
     // Where the way from outside to a point in object space ends.
-    SurfacePoint surfaceAt(const glm::dvec3& target, const glm::dvec3& from) {
+    SurfacePoint<float> surfaceAt(const glm::dvec3& target, const glm::dvec3& from) {
         const Vec3f origin(transformed(matrix, from));
         const core::Rayf ray{origin, glm::normalize(Vec3f(transformed(matrix, target)) - origin)};
         return scene.surfaceAt(ray, accelerator->intersect(ray).value());
@@ -44,16 +44,16 @@ glm::dvec3 unit(const Vec3f& v) {
     return glm::normalize(glm::dvec3(v));
 }
 
-void expectAcross(const SurfacePoint& surface) {
-    EXPECT_NEAR(glm::dot(unit(surface.tangent()), unit(surface.normal)), 0, 1e-5);
-    const core::Frame<float> frame(surface.normal, surface.tangent());
+void expectAcross(const SurfacePoint<float>& surface) {
+    EXPECT_NEAR(glm::dot(unit(surface.tangent), unit(surface.normal)), 0, 1e-5);
+    const core::Frame<float> frame(surface.normal, surface.tangent);
     EXPECT_NEAR(glm::dot(frame.x, frame.z), 0, 3e-7);
     EXPECT_NEAR(glm::length(frame.x), 1, 3e-7);
-    EXPECT_GT(glm::dot(frame.x, surface.tangent()), 0);
+    EXPECT_GT(glm::dot(frame.x, surface.tangent), 0);
 }
 
 // One step in longitude from a point, in object space.
-glm::dvec3 eastOf(const glm::dvec3& p) {
+glm::dvec3 eastwards(const glm::dvec3& p) {
     constexpr double step = 1e-6;
     return glm::dvec3(p.x * std::cos(step) + p.z * std::sin(step), p.y, p.z * std::cos(step) - p.x * std::sin(step)) -
            p;
@@ -67,7 +67,7 @@ TEST_F(TangentTest, FollowsTheLongitudeOfASphere) {
                 const glm::dvec3 p = randomDirection(random);
                 if (std::abs(p.y) > 0.999) continue;
                 const SurfacePoint surface = surfaceAt(p, 3.0 * p);
-                EXPECT_LT(glm::distance(unit(surface.tangent()), toWorld(eastOf(p))), 2e-4) << mirrored;
+                EXPECT_LT(glm::distance(unit(surface.tangent), toWorld(eastwards(p))), 2e-4) << mirrored;
                 expectAcross(surface);
             }
         }
@@ -77,19 +77,19 @@ TEST_F(TangentTest, FollowsTheLongitudeOfASphere) {
 TEST_F(TangentTest, IsTheSameFromInside) {
     place(SphereNode{}, false);
     const glm::dvec3 p = glm::normalize(glm::dvec3(1, 2, -1));
-    EXPECT_LT(glm::distance(unit(surfaceAt(p, {0, 0, 0}).tangent()), toWorld(eastOf(p))), 1e-4);
+    EXPECT_LT(glm::distance(unit(surfaceAt(p, {0, 0, 0}).tangent), toWorld(eastwards(p))), 1e-4);
 }
 
 TEST_F(TangentTest, IsTheXAxisAtThePoles) {
     place(SphereNode{}, false);
     for (const double pole : {-1., 1.}) {
         const SurfacePoint surface = surfaceAt({0, pole, 0}, {0, 3 * pole, 0});
-        EXPECT_TRUE(core::isFinite(surface.tangent()));
-        EXPECT_GT(glm::length(surface.tangent()), 0);
+        EXPECT_TRUE(core::isFinite(surface.tangent));
+        EXPECT_GT(glm::length(surface.tangent), 0);
         expectAcross(surface);
     }
     place(BoxNode{glm::dvec3(-1), glm::dvec3(2)}, false);
-    EXPECT_LT(glm::distance(unit(surfaceAt({0.3, 1, 0.2}, {0, 3, 0}).tangent()), toWorld({1, 0, 0})), 1e-5);
+    EXPECT_LT(glm::distance(unit(surfaceAt({0.3, 1, 0.2}, {0, 3, 0}).tangent), toWorld({1, 0, 0})), 1e-5);
 }
 
 TEST_F(TangentTest, IsOneForAFlatFace) {
@@ -105,7 +105,7 @@ TEST_F(TangentTest, IsOneForAFlatFace) {
                 glm::dvec3 target = randomPoint(random, -0.95, 0.95);
                 target[axis] = normal[axis];
                 const SurfacePoint surface = surfaceAt(target, target + 2.0 * normal);
-                EXPECT_LT(glm::distance(unit(surface.tangent()), toWorld(expected)), 1e-5) << "face " << face;
+                EXPECT_LT(glm::distance(unit(surface.tangent), toWorld(expected)), 1e-5) << "face " << face;
                 expectAcross(surface);
             }
         }
@@ -119,8 +119,8 @@ TEST_F(TangentTest, HasNoSeamOnAMeshOfASphere) {
         const glm::dvec3 p = randomDirection(random);
         if (std::abs(p.y) > 0.8) continue;
         const SurfacePoint surface = surfaceAt(0.99 * p, 3.0 * p);
-        const glm::dvec3 inObject = glm::inverse(glm::dmat3(matrix)) * glm::dvec3(surface.tangent());
-        EXPECT_GT(glm::dot(glm::normalize(inObject), glm::normalize(eastOf(p))), std::cos(0.25));
+        const glm::dvec3 inObject = glm::inverse(glm::dmat3(matrix)) * glm::dvec3(surface.tangent);
+        EXPECT_GT(glm::dot(glm::normalize(inObject), glm::normalize(eastwards(p))), std::cos(0.25));
         expectAcross(surface);
     }
 }

@@ -104,7 +104,7 @@ TEST(LanesElementary, CalculatesTheSame) {
                           inputs.chance(0.1) ? ends : inputs.uniform(-90, 88)};
     });
     expectSame(numbers, []<class Real>(const std::array<Real, 2>& x) {
-        return std::array<Real, 3>{core::log(x[0]), core::exp(x[1]), core::expm1(x[1])};
+        return std::array<Real, 4>{core::log(x[0]), core::exp(x[1]), core::expm1(x[1]), core::atan2<Real>(x[1], x[0])};
     });
 }
 

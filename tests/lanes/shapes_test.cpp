@@ -86,14 +86,50 @@ void expectSameHits(const std::vector<Numbers<n>>& rays, const Formula& formula)
     EXPECT_NEAR(shareOfHits(atTheEnd), 1 / 3., 1e-12);
 }
 
+// All of the list but meshes.
+template<class>
+struct TypesOf;
+template<class... Shapes>
+struct TypesOf<std::variant<const gr::Polyhedron*, Shapes...>> {
+    using Type = testing::Types<Shapes...>;
+};
+
 template<class Shape>
 class LanesShape : public testing::Test {};
-using Shapes = testing::Types<gr::Sphere, gr::Box, gr::Square>;
+using Shapes = TypesOf<gr::Shape>::Type;
 TYPED_TEST_SUITE(LanesShape, Shapes);
 
 TYPED_TEST(LanesShape, IsHitTheSame) {
     expectSameHits(rays(10), []<class Real>(const std::array<Real, 7>& x) {
         return std::array<Real, 1>{TypeParam{}.intersect(rayAt(x.data()))};
+    });
+}
+
+// A shape in each lane, as packs hold them, is hit as one shape by many rays.
+TYPED_TEST(LanesShape, IsHitTheSameWhereLanesHoldShapes) {
+    expectSame(rays(12), []<class Real>(const std::array<Real, 7>& x) {
+        typename TypeParam::template With<Real> shapes;
+        std::apply([](auto&... part) { ((part = Real(0.375f)), ...); }, shapes.parts(shapes));
+        return std::array<Real, 1>{shapes.intersect(rayAt(x.data()))};
+    });
+}
+
+// The point of the surface, and where on it that is; of a miss nothing is said.
+TYPED_TEST(LanesShape, TellsTheSameSurface) {
+    expectSame(rays(13), []<class Real>(const std::array<Real, 7>& x) {
+        const core::Ray<Real> ray = rayAt(x.data());
+        const TypeParam shape;
+        const Real t = shape.intersect(ray);
+        const core::Mask<Real> isMet = t < Real(core::infinity);
+        const gr::ShapePoint<Real> point =
+            shape.surfaceAt(ray, core::select(isMet, t, Real(1)), core::Vec3<Real>(Real(1e-5f)));
+        const gr::Coordinates<Real> at = shape.coordinatesAt(point);
+        std::array<Real, 12> all{point.position.x, point.position.y, point.position.z,
+                                 point.normal.x,   point.normal.y,   point.normal.z,
+                                 at.uv.x,          at.uv.y,          at.tangent.x,
+                                 at.tangent.y,     at.tangent.z,     core::select(point.front, Real(1), Real(0))};
+        for (Real& number : all) number = core::select(isMet, number, Real(0));
+        return all;
     });
 }
 

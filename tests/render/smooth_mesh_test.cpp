@@ -30,7 +30,7 @@ struct Ball : TestScene {
         database.setMaterial(":ball", "surface");
         settings.globalIllumination = true;
     }
-    std::optional<gr::SurfacePoint> meet(const core::Rayf& ray) {
+    std::optional<gr::SurfacePoint<float>> meet(const core::Rayf& ray) {
         if (!scene) scene = std::make_unique<gr::Scene>(gr::compile(database, ":", pointLights));
         const auto hit = gr::makeNoAccelerator(*scene)->intersect(ray);
         if (!hit) return std::nullopt;
@@ -51,14 +51,14 @@ TEST(SmoothMeshNormal, IsTheSpheresAndOnTheRaysSide) {
         ++met;
         const core::Vec3f& p = surface->position;
         const core::Vec3f ofSphere = glm::normalize(core::Vec3f(p.x, p.y / 4, p.z * 4));
-        EXPECT_NEAR(glm::length(surface->shadingNormal()), 1, 1e-5);
+        EXPECT_NEAR(glm::length(surface->shadingNormal), 1, 1e-5);
         EXPECT_LT(glm::dot(ray.direction, surface->normal), 0);
-        EXPECT_LT(glm::dot(ray.direction, surface->shadingNormal()), 0);
-        EXPECT_GT(glm::dot(surface->normal, surface->shadingNormal()), 0);
+        EXPECT_LT(glm::dot(ray.direction, surface->shadingNormal), 0);
+        EXPECT_GT(glm::dot(surface->normal, surface->shadingNormal), 0);
         const bool isBent = glm::dot(ray.direction, ofSphere) > -0.01f;
         bent += isBent;
         if (!isBent) {
-            EXPECT_GT(glm::dot(surface->shadingNormal(), ofSphere), 0.98f);
+            EXPECT_GT(glm::dot(surface->shadingNormal, ofSphere), 0.98f);
         }
     }
     EXPECT_GT(met, 1000);
@@ -78,7 +78,7 @@ TEST(SmoothMeshNormal, IsInThePicturesLayer) {
         RayCounts rays;
         FirstSurface first;
         radiometer.integrator().radiance(ray, sampler, rays, &first);
-        EXPECT_EQ(first.normal, surface->shadingNormal());
+        EXPECT_EQ(first.normal, surface->shadingNormal);
         EXPECT_NE(first.normal, surface->normal);
     }
     EXPECT_GT(met, 100);
@@ -100,7 +100,7 @@ TEST_P(SmoothMesh, NoLightBehindTheTerminator) {
         const auto surface = ball.meet(ray);
         if (!surface) continue;
         const core::Vec3f light = glm::normalize(lamp - surface->position);
-        const float cosine = glm::dot(surface->shadingNormal(), light);
+        const float cosine = glm::dot(surface->shadingNormal, light);
         const bool isBehind = glm::dot(surface->normal, light) <= 0;
         const core::Rgbf seen = radiometer.sample(ray, 1, 0);
         const core::Rgbf expected = isBehind || cosine <= 0 ? core::Rgbf(0) : core::Rgbf(1, 0.5f, 2) * cosine;

@@ -6,6 +6,8 @@
 #include "gr/pack.h"
 #include "gr/scene.h"
 
+#include <array>
+
 namespace gr {
 
 struct alignas(64) TriangleLeaf {
@@ -33,10 +35,14 @@ struct MeshPack : ObjectPack {
 template<class Shape, template<class> class Map>
 struct ShapePack : ObjectPack {
     static constexpr int rows = sizeof(Map<float>) / sizeof(float);
+    static constexpr std::size_t parts = std::tuple_size_v<decltype(Shape::parts(std::declval<Shape&>()))>;
     alignas(32) float objectFromWorld[rows][treeWidth];
+    alignas(32) std::array<std::array<float, treeWidth>, parts> parameters;  // in which one shape differs from another
 
-    void set(int place, const Map<float>& map) {
+    void set(std::size_t place, const Map<float>& map, const Shape& shape) {
         for (int row = 0; row < rows; ++row) objectFromWorld[row][place] = reinterpret_cast<const float*>(&map)[row];
+        std::size_t row = 0;
+        std::apply([&](const auto&... part) { ((parameters[row++][place] = part), ...); }, Shape::parts(shape));
     }
 
     // The t of those from place `first` on, as many as there are lanes, or infinity.
@@ -45,7 +51,11 @@ struct ShapePack : ObjectPack {
         Map<Lanes> map;
         for (int row = 0; row < rows; ++row)
             reinterpret_cast<Lanes*>(&map)[row] = Lanes::load_aligned(objectFromWorld[row] + first);
-        return Shape{}.template intersect<Lanes>({map.point(ray.origin), map.vector(ray.direction), ray.tMax});
+        typename Shape::template With<Lanes> shape;
+        std::size_t row = 0;
+        std::apply([&](auto&... part) { ((part = Lanes::load_aligned(&parameters[row++][first])), ...); },
+                   shape.parts(shape));
+        return shape.template intersect<Lanes>({map.point(ray.origin), map.vector(ray.direction), ray.tMax});
     }
 };
 

@@ -35,7 +35,7 @@ private:
     void fill(ShapePack<S, AlignedMapOf>& pack) const;
     template<class S>
     void fill(ShapePack<S, core::AffineMap>& pack) const;
-    const Placement& placeOf(const ObjectPack& pack, std::uint32_t i) const;
+    const Instance& instanceOf(const ObjectPack& pack, std::uint32_t i) const;
 
     const Scene& scene_;
     EmbreeDevice device_;

@@ -103,15 +103,17 @@ void TreeAccelerator::fill(MeshPack& pack) const {
 
 template<class S>
 void TreeAccelerator::fill(ShapePack<S, AlignedMapOf>& pack) const {
-    for (int i = 0; i < treeWidth; ++i) pack.set(static_cast<int>(i), placeOf(pack, i).alignedObjectFromWorld());
+    for (std::uint32_t i = 0; i < treeWidth; ++i)
+        pack.set(i, instanceOf(pack, i).place.alignedObjectFromWorld(), std::get<S>(instanceOf(pack, i).shape));
 }
 template<class S>
 void TreeAccelerator::fill(ShapePack<S, core::AffineMap>& pack) const {
-    for (std::uint32_t i = 0; i < treeWidth; ++i) pack.set(static_cast<int>(i), placeOf(pack, i).objectFromWorld());
+    for (std::uint32_t i = 0; i < treeWidth; ++i)
+        pack.set(i, instanceOf(pack, i).place.objectFromWorld(), std::get<S>(instanceOf(pack, i).shape));
 }
 
-const Placement& TreeAccelerator::placeOf(const ObjectPack& pack, std::uint32_t i) const {
-    return scene_.instances[pack.instance[i]].place;
+const Instance& TreeAccelerator::instanceOf(const ObjectPack& pack, std::uint32_t i) const {
+    return scene_.instances[pack.instance[i]];
 }
 
 std::optional<Hit> TreeAccelerator::intersect(const core::Rayf& ray, TraversalCounts& counts) const {

@@ -1,0 +1,119 @@
+// From a hit on an instance to the point of its surface, for each lane.
+#pragma once
+
+#include "gr/hit.h"
+#include "gr/polyhedron_surface.h"
+#include "gr/scene.h"
+#include "gr/surface_point.h"
+
+namespace gr {
+
+// A ray that comes along the surface must see the normal from the side that it came from, or it would go on from the
+// other one: where rounding says otherwise, the normal is bent by as much.
+template<class Real>
+core::Vec3<Real> facing(const core::Vec3<Real>& normal, const core::Vec3<Real>& direction,
+                        const core::Mask<Real>& front) {
+    const core::Mask<Real> isWrong = core::differ(glm::dot(direction, normal) < Real(0), front);
+    if (!core::any(isWrong)) return normal;
+    const Real beyondRounding(0x1p-20f);
+    const Real length = glm::length(direction);
+    const Real wanted = core::select(front, -beyondRounding, beyondRounding);
+    const core::Vec3<Real> bent =
+        glm::normalize(normal + direction * ((wanted - glm::dot(direction, normal) / length) / length));
+    return core::select(isWrong, bent, normal);
+}
+
+// The surface of one instance, where rays met it. here: the lanes that did.
+template<class Real>
+class BodySurface {
+public:
+    using Mask = core::Mask<Real>;
+    using Vec3 = core::Vec3<Real>;
+
+    BodySurface(const Instance& instance, const core::Ray<Real>& ray, const HitOf<Real>& hit, const Mask& here)
+        : instance_(instance), ray_(ray), hit_(hit), here_(here) {
+        // Lanes that hit something else may have the number of a triangle that this mesh has not.
+        hit_.triangle = core::selectUInt<Real>(here, hit.triangle, core::UInt<Real>(0));
+    }
+
+    void set(SurfacePoint<Real>& surface, bool wantsCoordinates) const {
+        std::visit([&](const auto& shape) { set(shape, surface, wantsCoordinates); }, instance_.shape);
+    }
+
+private:
+    template<class Shape>
+    void set(const Shape& shape, SurfacePoint<Real>& surface, bool wantsCoordinates) const {
+        const Real error =
+            Real(instance_.error) +
+            Real(instance_.errorPerUnit()) * core::largestComponent<Real>(ray_.origin + ray_.direction * hit_.t);
+        const ShapePoint<Real> point = pointOf(shape, instance_.place.toObject(ray_), marginOf(error));
+        const bool isInPlace = instance_.place.isInPlace();
+        const core::Transform map = instance_.place.objectFromWorld();
+        const Vec3 position = isInPlace ? point.position : instance_.place.worldFromObject().point(point.position);
+        const Vec3 perpendicular = isInPlace ? point.normal : map.transposed(point.normal);
+        const Vec3 normal = facing<Real>(glm::normalize(perpendicular), ray_.direction, point.front);
+
+        surface.position = core::select(here_, position, surface.position);
+        surface.normal = core::select(here_, normal, surface.normal);
+        surface.error = core::select(here_, error, surface.error);
+        surface.material = core::select(here_, Real(static_cast<float>(instance_.material)), surface.material);
+        if constexpr (std::is_same_v<Shape, Square>)
+            surface.light = core::select(here_, Real(static_cast<float>(shape.light)), surface.light);
+        Coordinates<Real> coordinates;
+        if (wantsCoordinates) coordinates = coordinatesOf(shape, point);
+        Vec3 shadingNormal = normal;
+        if constexpr (std::is_same_v<Shape, const Polyhedron*>)
+            if (shape->hasNormals()) smooth(*shape, point, normal, shadingNormal, coordinates, surface.isSmooth);
+        surface.shadingNormal = core::select(here_, shadingNormal, surface.shadingNormal);
+        if (!wantsCoordinates) return;
+        surface.uv.x = core::select(here_, coordinates.uv.x, surface.uv.x);
+        surface.uv.y = core::select(here_, coordinates.uv.y, surface.uv.y);
+        const Vec3 tangent = instance_.place.worldFromObject().vector(coordinates.tangent);
+        surface.tangent = core::select(here_, tangent, surface.tangent);
+    }
+
+    // No coordinate of the step off the surface is larger than (1 + sqrt(3)) / 2 times the error, and rounding adds the
+    // error once more: 2.4 in all, along each of the world's axes, and so on to the object's.
+    Vec3 marginOf(const Real& error) const {
+        const core::Transform map = instance_.place.objectFromWorld();
+        const core::Vec3f unit =
+            instance_.place.isInPlace() ? core::Vec3f(1) : glm::abs(map.x) + glm::abs(map.y) + glm::abs(map.z);
+        return core::broadcast<Real>(unit) * (Real(2.4f) * error);
+    }
+
+    template<class Shape>
+    ShapePoint<Real> pointOf(const Shape& shape, const core::Ray<Real>& ray, const Vec3& margin) const {
+        if constexpr (std::is_same_v<Shape, const Polyhedron*>)
+            return shape->template surfaceAt<Real>(ray, hit_, margin);
+        else
+            return shape.surfaceAt(ray, hit_.t, margin);
+    }
+    // A mesh that knows none has those of its flat faces.
+    template<class Shape>
+    static Coordinates<Real> coordinatesOf(const Shape& shape, const ShapePoint<Real>& point) {
+        if constexpr (std::is_same_v<Shape, const Polyhedron*>)
+            return flatCoordinates<Real>(point.position, point.normal);
+        else
+            return shape.coordinatesAt(point);
+    }
+
+    // A mesh's own normals stand for a shape that is rounder than its faces. They change how light is reflected, never
+    // which side of a face something is on.
+    void smooth(const Polyhedron& mesh, const ShapePoint<Real>& point, const Vec3& faceNormal, Vec3& shadingNormal,
+                Coordinates<Real>& coordinates, Mask& isSmooth) const {
+        const Vec3 given = mesh.shadingNormal<Real>(hit_);
+        const Vec3 normal = glm::normalize(instance_.place.objectFromWorld().transposed(given));
+        const Mask isGiven = here_ & (glm::dot(normal, faceNormal) > Real(0));
+        if (!core::any(isGiven)) return;
+        shadingNormal = core::select(isGiven, facing<Real>(normal, ray_.direction, point.front), shadingNormal);
+        coordinates.tangent = core::select(isGiven, eastOf<Real>(given), coordinates.tangent);
+        isSmooth = isSmooth | isGiven;
+    }
+
+    const Instance& instance_;
+    const core::Ray<Real>& ray_;
+    HitOf<Real> hit_;
+    const Mask& here_;
+};
+
+}  // namespace gr

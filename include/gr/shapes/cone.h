@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/bounds.h"
+#include "gr/shapes/frustum.h"
+#include "gr/shapes/shape_node.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace gr {
+
+// Closed, about the y axis, from a foot of radius 1 at y = 0 to y = 1.
+template<class Number>
+struct ConeOf {
+    template<class Other>
+    using With = ConeOf<Other>;
+    static constexpr bool isSolid = true, isEndless = false;
+
+    Number top{0};  // the radius there; 0: it is pointed
+
+    template<class Self>
+    static auto parts(Self& self) {
+        return std::tie(self.top);
+    }
+
+    template<class Real>
+    Real level(const core::Vec3<Real>& p) const {
+        return frustum<Real>().level(p);
+    }
+    template<class Real>
+    Real intersect(const core::Ray<Real>& ray) const {
+        return frustum<Real>().intersect(ray);
+    }
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+        return frustum<Real>().surfaceAt(ray, t, margin);
+    }
+    template<class Real>
+    Coordinates<Real> coordinatesAt(const ShapePoint<Real>& point) const {
+        return frustum<Real>().coordinatesAt(point);
+    }
+
+    float extent() const { return std::max(top, 1.f); }
+    core::Bounds bounds() const { return {{-extent(), 0, -extent()}, {extent(), 1, extent()}}; }
+    // Half its axis, and its wider end.
+    core::Vec3f reachUnder(const core::Transform& map) const {
+        return glm::abs(map.y) * 0.5f + glm::sqrt(map.x * map.x + map.z * map.z) * extent();
+    }
+
+private:
+    template<class Real>
+    Frustum<Real> frustum() const {
+        return {Real(top) - Real(1)};
+    }
+};
+using Cone = ConeOf<float>;
+
+struct ConeNode {
+    static constexpr core::Word kind = "cone", plural = "cones";
+
+    glm::dvec3 foot{0};  // its middle
+    double radius = 1, height = 1, topRadius = 0;
+
+    Cone shape() const { return {static_cast<float>(topRadius / radius)}; }
+    glm::dmat4 placeIn(const glm::dmat4& around) const { return shapePlace(around, foot, {radius, height, radius}); }
+    std::string text() const {
+        return nodeText(foot, radius, height) + (topRadius > 0 ? " " + core::numberText(topRadius) : "");
+    }
+};
+
+}  // namespace gr

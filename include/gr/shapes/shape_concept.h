@@ -1,0 +1,49 @@
+// What a shape must have to be in the list of gr/shape.h, and what a node that makes one.
+#pragma once
+
+#include "core/bounds.h"
+#include "core/transform.h"
+#include "gr/shapes/shape_node.h"
+#include "gr/shapes/surface.h"
+
+#include <concepts>
+
+namespace gr {
+
+// In its own space. Where it is said for a float it must be so for lanes of them.
+template<class Shape>
+concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, core::Vec3f margin,
+                                 ShapePoint<float> point, core::Transform map) {
+    typename Shape::template With<core::Lanes>;  // another shape in each lane; parts() tells what differs
+    Shape::parts(shape);  // the numbers in which one differs from another, floats, as std::tie makes it
+    { Shape::isSolid } -> std::convertible_to<bool>;  // whether it holds what is inside of it
+    { Shape::isEndless } -> std::convertible_to<bool>;  // whether no box can hold it
+    // The smallest t with 0 < t < ray.tMax at which the ray meets it, or infinity. Where a ray starts is decided by
+    // signs that rounding cannot turn, so that one which starts a hair outside stays outside.
+    { shape.intersect(ray) } -> std::same_as<float>;
+    // The point is kept `margin` away from the edges of its face, along each axis: far enough for a ray that goes
+    // on from there, a hair off the face, to start on the same side of the faces beyond the edges.
+    { shape.surfaceAt(ray, t, margin) } -> std::same_as<ShapePoint<float>>;
+    { shape.coordinatesAt(point) } -> std::same_as<Coordinates<float>>;
+    { shape.extent() } -> std::same_as<float>;  // the largest coordinate of any of its points; 0 if it is endless
+    { shape.bounds() } -> std::same_as<core::Bounds>;
+    // How far it reaches from the middle of its bounds along the world's axes, where `map` puts it.
+    { shape.reachUnder(map) } -> std::same_as<core::Vec3f>;
+};
+
+// A solid has a level that is less than 0 inside, 0 on the surface and more than 0 outside.
+template<class Shape>
+concept HasLevelIfSolid = !Shape::isSolid || requires(const Shape& shape, glm::dvec3 p) {
+    { shape.level(p) } -> std::same_as<double>;
+};
+
+template<class Node>
+concept CompleteShapeNode = requires(const Node& node, glm::dmat4 around) {
+    { Node::kind } -> std::convertible_to<core::Word>;  // its command is gr_ and this
+    { Node::plural } -> std::convertible_to<core::Word>;  // in gr_stats
+    node.shape();  // which it makes
+    { node.placeIn(around) } -> std::same_as<glm::dmat4>;  // from the shape's own space
+    { node.text() } -> std::same_as<std::string>;  // behind its kind in gr_print
+};
+
+}  // namespace gr
