@@ -106,7 +106,10 @@ TEST(SelfHitPlane, IsMetAgainFromItsFrontAlone) {
             const auto again = place.accelerator->intersect(next);
             if (!again) continue;
             if (again->t < 1e4f * surface.error) early.add(place.text(), ": t ", again->t, ", error ", surface.error);
-            if (!(glm::dot(next.direction, side) < 0)) fromBelow.add(place.text(), ": t ", again->t);
+            const SurfacePoint there = place.scene.surfaceAt(next, *again);
+            const bool isOnNormalsSide = glm::dot(there.normal, side) > 0;
+            if ((glm::dot(next.direction, there.normal) < 0) != isOnNormalsSide)
+                fromBelow.add(place.text(), ": t ", again->t);
         }
     });
     EXPECT_EQ(early.count(), 0) << early.text();
