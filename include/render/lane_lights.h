@@ -4,8 +4,20 @@
 // heuristic.
 #pragma once
 
+#include "core/lanes.h"
+#include "core/ray.h"
+#include "core/vec.h"
+#include "core/warp.h"
+#include "gr/light.h"
+#include "gr/tracer.h"
+#include "render/integrator.h"
 #include "render/lane_paths.h"
+#include "render/owen_sobol.h"
+#include "render/path_scene.h"
 #include "render/path_setup.h"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace render {
 

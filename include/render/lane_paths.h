@@ -2,9 +2,20 @@
 #pragma once
 
 #include "core/frame.h"
-#include "gr/tracer.h"
+#include "core/lanes.h"
+#include "core/ray.h"
+#include "core/vec.h"
+#include "gr/scene.h"
+#include "gr/surface_point.h"
 #include "render/lane_media.h"
 #include "render/owen_sobol.h"
+#include "render/path_scene.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
 
 namespace render {
 

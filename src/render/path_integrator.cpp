@@ -1,4 +1,26 @@
+#include "core/lanes.h"
+#include "core/ray.h"
+#include "core/vec.h"
+#include "gr/scene.h"
+#include "gr/shape.h"
+#include "gr/surface_point.h"
+#include "gr/tracer.h"
+#include "materials/bsdf.h"
+#include "render/camera.h"
+#include "render/integrator.h"
 #include "render/lane_lights.h"
+#include "render/lane_paths.h"
+#include "render/media.h"
+#include "render/owen_sobol.h"
+#include "render/path_scene.h"
+#include "render/path_setup.h"
+
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <variant>
 
 namespace render {
 namespace {
