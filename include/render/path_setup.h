@@ -11,8 +11,8 @@ namespace render {
 struct PathSetup {
     PathScene scene;
     int pathLength;
-    // The light samples at each surface point. Where chance picks the light that a sample asks, so many are drawn in all;
-    // else so many of each light that has places to draw, and one of each other light.
+    // The light samples at each surface point. Where chance picks the light that a sample asks, so many are drawn in
+    // all; else so many of each light that has places to draw, and one of each other light.
     int lightSamples;
     bool picksLights;  // whether chance does
     core::Rgbf background, ambient;

@@ -34,7 +34,7 @@ struct Deviation {
     }
 };
 
-// Of the channel that is off most.
+// The deviation of the channel that is off most.
 inline Deviation deviation(const RgbMean& mean, const glm::dvec3& expected) {
     Deviation worst(mean[0], expected[0]);
     for (int channel = 1; channel < 3; ++channel) {
