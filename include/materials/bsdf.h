@@ -19,10 +19,13 @@ template<class Real>
 struct BsdfSample {
     core::Vec3<Real> wi;  // z < 0: through the surface
     core::Rgb<Real> weight;  // f * |cos| / pdf: what the radiance from wi is multiplied with
-    Real pdfW;  // per steradian; 0 where isDelta
+    Real pdfW;  // per steradian, of all methods together: what the material's pdfW says of wi; 0 where isDelta
     core::Mask<Real> valid;  // false: no sample, the path goes nowhere and carries nothing
-    core::Mask<Real> isDelta;  // eval is 0 in this direction, light sampling cannot bring what comes from there
-    core::Mask<Real> isLit;  // a light met in this direction was counted when lights were sampled
+    // No density tells of wi: it is mirrored or refracted by a dielectric. Where that blurs its mirror there would be a
+    // density, but it is not told.
+    core::Mask<Real> isDelta;
+    // Light sampling at this surface point brings what a light sends from wi.
+    core::Mask<Real> isLit;
     core::Mask<Real> isDiffuse;  // drawn by the diffuse method
 };
 

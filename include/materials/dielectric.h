@@ -102,6 +102,7 @@ struct Dielectric {
         const core::Mask<Real> refracts = chosen.refractive & !isTotal;
         const core::Mask<Real> valid = (wo.z > zero) & (reflects | refracts);
         const core::Mask<Real> isDiffuse = one < zero;
+        // The highlight is what light sampling brings of a lamp's mirror image.
         const core::Mask<Real> isLit = reflects & (Real(largest(specular)) > zero);
         return {
             core::select(reflects, reflected, refracted), core::Rgb<Real>(part), zero, valid, valid, isLit, isDiffuse};

@@ -16,7 +16,7 @@ namespace materials {
 struct ShirleyHalfVector {
     float nu, nv;
 
-    // Of wi (equation 8): a half vector's cone of directions is 4 (k.h) times as wide as the half vector's own.
+    // The density of wi (equation 8): a cone of half vectors makes one of directions, 4 (k.h) times as wide.
     template<class Real>
     Real pdfW(const core::Vec3<Real>& wo, const core::Vec3<Real>& wi) const {
         const core::Vec3<Real> sum = wo + wi;

@@ -14,7 +14,8 @@ namespace render {
 // The paper's standard: a screen 0.7 m wide with 3840 pixels, seen from 0.7 m.
 inline constexpr double flipPixelsPerDegree = 0.7 * 3840 / 0.7 * core::pi / 180;
 
-// Of each pixel, from 0, the same, to 1. Both pictures are linear sRGB; what is shown of them is from 0 to 1.
+// How visible the difference is in each pixel, from 0, where they are the same, to 1. Both pictures are linear sRGB;
+// what is shown of them is from 0 to 1.
 std::vector<float> flip(std::span<const core::Rgbf> reference, std::span<const core::Rgbf> test, int width, int height,
                         double pixelsPerDegree = flipPixelsPerDegree);
 

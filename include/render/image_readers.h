@@ -10,7 +10,7 @@ namespace render {
 // Each reads a file that is open at its start. Throws core::Error, whose message tells why, for what is not all of a
 // file of its format, for what would not fit into memory, and for colours other than those of sRGB.
 
-// Of any kind. Palettes become colours, grey of fewer than 8 bits becomes 8, a transparent colour a channel A.
+// PNG of any kind. Palettes become colours, grey of fewer than 8 bits becomes 8, a transparent colour a channel A.
 Image readPng(std::FILE* file);
 
 // OpenEXR: one part of lines, of floats; half floats become floats.

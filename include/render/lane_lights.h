@@ -1,9 +1,23 @@
-// The light that comes to the paths' surface points straight from the lights. A light is found in two ways: a point
-// asks it, or a path meets it. Each way counts for its part.
+// The light that comes to the paths' surface points straight from the lights, by multiple importance sampling (Veach
+// 1997, 9.2) with two techniques. In light sampling a surface point asks a light. In BSDF sampling the material draws a
+// direction, and the ray that goes there may meet a light. Light that both can bring they share by the balance
+// heuristic.
 #pragma once
 
+#include "core/lanes.h"
+#include "core/ray.h"
+#include "core/vec.h"
+#include "core/warp.h"
+#include "gr/light.h"
+#include "gr/tracer.h"
+#include "render/integrator.h"
 #include "render/lane_paths.h"
+#include "render/owen_sobol.h"
+#include "render/path_scene.h"
 #include "render/path_setup.h"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace render {
 
@@ -21,30 +35,31 @@ public:
     LaneLights(const PathSetup& setup, const gr::Tracer<Real>& tracer)
         : setup_(setup), scene_(setup.scene), tracer_(tracer) {}
 
-    // What the lights' fronts send along the rays that have met them, as far as it is for the rays to bring.
+    // BSDF sampling: what the lights' fronts send along the rays that have met them, weighted.
     Rgb emitted(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask& hitsLight) const {
         const Real index = core::select(hitsLight, points.surface.light, Real(0));
-        Real lightPdfW(0);
+        Real pdfWLight(0);
         Rgb emitted(Real(0));
         forEachKindOf(index, hitsLight, [&]<class Light>(const Light& light, const Mask& here) {
             if constexpr (Light::canBeMet) {
-                lightPdfW = core::select(here, light.pdfW(paths.ray.direction, points.surface.t), lightPdfW);
+                pdfWLight = core::select(here, light.pdfW(paths.ray.direction, points.surface.t), pdfWLight);
                 emitted = core::select(here, light.emitted(), emitted);
             }
         });
-        lightPdfW = lightPdfW * timesAsked(paths.ray.origin, index);
-        const Real part = core::select(paths.pdfW < Real(core::infinity), balance(paths.pdfW, lightPdfW), Real(1));
-        return core::select(hitsLight & points.fromOutside, emitted * part, Rgb(Real(0)));
+        pdfWLight = pdfWLight * timesAsked(paths.ray.origin, index);
+        const Real weight = core::select(paths.cannotBeAsked, Real(1), balanceHeuristic(paths.pdfWBsdf, pdfWLight));
+        const Mask brings = hitsLight & points.fromOutside & !paths.countedByLights;
+        return core::select(brings, emitted * weight, Rgb(Real(0)));
     }
 
-    // What surface points reflect of what the lights send them. isLast: of paths that go on from there no more.
-    // Of a few lights each is asked, of many those that chance picks.
+    // Light sampling: what surface points reflect of what the lights send them, weighted. A few lights are all asked,
+    // of many chance picks some. isLast: whether the path goes on from there no more.
     Rgb direct(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask& isLast, RayCounts& rays) const {
         Rgb sum(Real(0));
         const Vec3 start = points.offset(points.normal);
         const auto add = [&](const Answer& answer) { sum += reflected(paths, points, start, answer, isLast, rays); };
         if (setup_.picksLights) {
-            for (int i = 0; i < setup_.lightSamples; ++i) add(answerOfOne(points, start, drawn(paths, i)));
+            for (int i = 0; i < setup_.lightSamples; ++i) add(answerOfPicked(points, start, drawn(paths, i)));
             return sum;
         }
         int draws = 0;
@@ -60,14 +75,14 @@ public:
     }
 
 private:
-    // How much a sample counts that another way of sampling could have drawn, too: the balance heuristic (Veach 1997,
-    // 9.2.2). Of no weight where neither can.
-    static Real balance(const Real& pdf, const Real& otherPdf) {
-        const Real sum = pdf + otherPdf;
-        return core::select(sum > Real(0), pdf / sum, Real(0));
+    // The weight of a sample that another technique could have drawn, too (Veach 1997, 9.2.2). A density is that of all
+    // samples of its technique together. Where both are 0 there is no such sample, and no weight.
+    static Real balanceHeuristic(const Real& pdfW, const Real& otherPdfW) {
+        const Real sum = pdfW + otherPdfW;
+        return core::select(sum > Real(0), pdfW / sum, Real(0));
     }
 
-    // How often a surface point asks a light for light, on average. Of a light that a ray can meet.
+    // How often, on average, a surface point asks a light that rays can meet.
     Real timesAsked(const Vec3& at, const Real& light) const {
         const Real samples(static_cast<float>(setup_.lightSamples));
         return setup_.picksLights ? scene_.lights.probability(at, light) * samples : samples;
@@ -84,31 +99,36 @@ private:
         });
     }
 
-    // What a light sends a surface point that asks it so many times on average: over that number, but for the density.
+    // What a light answers to a surface point that asks it. The density is that of all the times together that the
+    // point asks.
     struct Answer {
         gr::LightSample<Real> sample;
         Vec3 shadowEnd;
+        Mask cannotBeMet;  // BSDF sampling brings nothing of this light, since no ray meets it
     };
+    // times: how often, on average, the point asks. The light of one answer is divided by that.
     template<class Light>
     static Answer answerOf(Light light, const Real& times, const ShadingPoints<Real>& points, const Vec3& start,
                            const Draw& place) {
         light.divideBy(times);
         gr::LightSample<Real> sample = light.sample(points.surface.position, place);
         sample.pdfW = sample.pdfW * times;
-        return {sample, light.shadowEnd(start, sample.target)};
+        return {sample, light.shadowEnd(start, sample.target), Mask(!Light::canBeMet)};
     }
-    // u: the place on the light, and which light.
-    Answer answerOfOne(const ShadingPoints<Real>& points, const Vec3& start, const Vec3& u) const {
+    // The answer of a light that chance picks. u: the place on the light, and which light.
+    Answer answerOfPicked(const ShadingPoints<Real>& points, const Vec3& start, const Vec3& u) const {
         const auto pick = scene_.lights.pick(start, u.z);
         const Real times = pick.probability * Real(static_cast<float>(setup_.lightSamples));
-        Answer answer{{start, points.normal, Rgb(Real(0)), Real(0)}, start};
+        Answer answer{{start, points.normal, Rgb(Real(0)), Real(0)}, start, Mask(false)};
         forEachKindOf(pick.light, times > Real(0), [&](const auto& light, const Mask& here) {
-            const Answer of = answerOf(light, times, points, start, Draw(u.x, u.y));
-            answer = {{core::select(here, of.sample.target, answer.sample.target),
-                       core::select(here, of.sample.wi, answer.sample.wi),
-                       core::select(here, of.sample.weight, answer.sample.weight),
-                       core::select(here, of.sample.pdfW, answer.sample.pdfW)},
-                      core::select(here, of.shadowEnd, answer.shadowEnd)};
+            const Answer found = answerOf(light, times, points, start, Draw(u.x, u.y));
+            const Mask cannotBeMet = answer.cannotBeMet | (here & found.cannotBeMet);
+            answer = {{core::select(here, found.sample.target, answer.sample.target),
+                       core::select(here, found.sample.wi, answer.sample.wi),
+                       core::select(here, found.sample.weight, answer.sample.weight),
+                       core::select(here, found.sample.pdfW, answer.sample.pdfW)},
+                      core::select(here, found.shadowEnd, answer.shadowEnd),
+                      cannotBeMet};
         });
         return answer;
     }
@@ -121,22 +141,22 @@ private:
         return {more[0], more[1], more[2]};
     }
 
-    // What the surfaces reflect of a light sample towards the eye, black where something stands between. Its density is
-    // that of all samples together; where it is 0, light comes from there in no other way. A path that goes on would
-    // find a light that has one, too; the last point of one has this way alone.
+    // What the surfaces reflect of a light sample towards the eye, weighted; black where something stands between.
     Rgb reflected(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Vec3& start, const Answer& answer,
                   const Mask& isLast, RayCounts& rays) const {
         const gr::LightSample<Real>& sample = answer.sample;
         const Vec3 wi = points.frame.toLocal(sample.wi);
         Rgb f(Real(0));
-        Real pdfW(0);
+        Real pdfWBsdf(0);
         points.forEachMaterial([&](const auto& bsdf, const Mask& here) {
             f = core::select(here, bsdf.eval(points.wo, wi), f);
-            pdfW = core::select(here, bsdf.template pdfW<Real, PathHemisphere>(points.wo, wi), pdfW);
+            pdfWBsdf = core::select(here, bsdf.template pdfW<Real, PathHemisphere>(points.wo, wi), pdfWBsdf);
         });
-        const Real lightPdfW = core::select(isLast, Real(0), sample.pdfW);
-        const Real part = core::select(lightPdfW > Real(0), balance(lightPdfW, pdfW), Real(1));
-        const Rgb light = f * sample.weight * part;
+        const Real pdfWLight = sample.pdfW;
+        // From a path's last surface point no ray goes on: light sampling brings all, as it does of a point light.
+        const Mask byLightsAlone = isLast | answer.cannotBeMet;
+        const Real weight = core::select(byLightsAlone, Real(1), balanceHeuristic(pdfWLight, pdfWBsdf));
+        const Rgb light = f * sample.weight * weight;
         const Mask shines =
             paths.alive & (light.x + light.y + light.z > Real(0)) & !points.isOnWrongSide(sample.wi, wi);
         if (!core::any(shines)) return Rgb(Real(0));

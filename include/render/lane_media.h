@@ -1,9 +1,14 @@
-// What each lane's path goes through.
+// What the paths go through, each lane's by itself.
 #pragma once
 
 #include "core/elementary.h"
+#include "core/lanes.h"
+#include "core/vec.h"
 #include "render/media.h"
 #include "render/path_scene.h"
+
+#include <array>
+#include <cstdint>
 
 namespace render {
 
@@ -19,12 +24,13 @@ public:
         return {left(absorption_.x), left(absorption_.y), left(absorption_.z)};
     }
 
+    // What a lane's path is inside of, to be changed. Call update() after the last change.
     Media& change(int lane) {
         changed_ |= 1u << lane;
         return media_[lane];
     }
     const Media& at(int lane) const { return media_[lane]; }
-    // After change, before transmittance is asked.
+    // Makes transmittance() tell of what has been changed.
     void update() {
         if (changed_ == 0) return;
         core::LaneArray<Real> x(absorption_.x), y(absorption_.y), z(absorption_.z);
@@ -40,8 +46,8 @@ public:
 
 private:
     std::array<Media, mostLanes> media_;
-    core::Rgb<Real> absorption_{Real(0)};
-    std::uint32_t changed_ = 0;
+    core::Rgb<Real> absorption_{Real(0)};  // per unit length
+    std::uint32_t changed_ = 0;  // a bit for each lane
 };
 
 }  // namespace render

@@ -2,23 +2,37 @@
 #pragma once
 
 #include "core/frame.h"
-#include "gr/tracer.h"
+#include "core/lanes.h"
+#include "core/ray.h"
+#include "core/vec.h"
+#include "gr/scene.h"
+#include "gr/surface_point.h"
 #include "render/lane_media.h"
 #include "render/owen_sobol.h"
+#include "render/path_scene.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
 
 namespace render {
 
-// Which four random numbers of a path serve what.
+// A path's random numbers come in points of four (OwenSobol::point). Here are the numbers of the points.
 template<class Real>
 struct PathNumbers {
     using UInt = core::UInt<Real>;
 
-    static constexpr std::uint32_t camera = 0;  // the place in the pixel, and that on the lens, or
-    static constexpr std::uint32_t light = 1;  // the first surface point's light
-    // The direction in which a path leaves its n-th surface point, and the light where it arrives.
+    // The place in the pixel, and the place on the lens. Without a lens the latter two are for the first light sample.
+    static constexpr std::uint32_t camera = 0;
+    // The first light sample: which light, and with a lens the place on it, too.
+    static constexpr std::uint32_t light = 1;
+    // The direction in which a path leaves its n-th surface point, and the place of the light sample where it arrives.
     static UInt way(const UInt& surfacePoints) { return surfacePoints + UInt(1); }
+    // The material's method there, Russian roulette, and which light is asked where the path arrives.
     static UInt method(const UInt& surfacePoints) { return surfacePoints + UInt(1u << 16); }
-    // All light samples of a surface point but its first.
+    // A surface point's further light samples, each a point of its own.
     static UInt moreLight(const UInt& surfacePoints, int sample) {
         return mixed(UInt(surfacePoints + UInt(mixed(static_cast<std::uint32_t>(sample)))));
     }
@@ -27,18 +41,25 @@ struct PathNumbers {
 // Paths on their way, one in each lane.
 template<class Real>
 struct Paths {
-    std::array<std::uint32_t, mostLanes> x{}, y{}, sample{};
+    std::array<std::uint32_t, mostLanes> x{}, y{}, sample{};  // the pixel, and the sample's number in it
     std::array<std::size_t, mostLanes> slot{};  // where its radiance belongs in the block
     OwenSobol<Real> random{};
-    core::Ray<Real> ray{};
-    core::Rgb<Real> radiance{Real(0)};
+    core::Ray<Real> ray{};  // to the next surface point
+    core::Rgb<Real> radiance{Real(0)};  // what the path has found so far
     core::Rgb<Real> throughput{Real(0)};  // what is left of light that comes along the ray, when it arrives at the eye
-    Real indexSquared = Real(1);  // of refraction, over that where the path began: refraction divides throughput by it
-    Real surfacePoints = Real(0);
-    // Of the ray's direction; infinity where light sampling cannot bring what the ray brings, 0 where it has.
-    Real pdfW = Real(0);
+    // The square of the index of refraction here over that where the path began. Refraction into glass divides the
+    // throughput by it, and refraction out of glass gives it back: so a path is worth the product of the two.
+    Real indexSquared = Real(1);
+    Real surfacePoints = Real(0);  // how many the path has met
     core::Vec3<Real> lightDraw{Real(0)};  // for the next surface point: the place on a light, and which light
     core::Mask<Real> alive = Real(0) > Real(0);
+
+    // For multiple importance sampling: how the ray's direction was drawn, which decides for how much a light counts
+    // that the ray meets. The ray and light sampling share it by their densities, unless one of the masks is set.
+    Real pdfWBsdf = Real(0);  // the density with which the material drew the ray's direction, per steradian
+    core::Mask<Real> cannotBeAsked = Real(0) > Real(0);  // light sampling brings nothing from there: the ray brings all
+    core::Mask<Real> countedByLights = Real(0) > Real(0);  // light sampling has brought all: the ray brings nothing
+
     LaneMedia<Real> media;
 };
 

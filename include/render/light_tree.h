@@ -4,11 +4,13 @@
 // Tree Splitting", 2018; here nothing is split, and the receiving surface's own side does not count.)
 #pragma once
 
+#include "core/lanes.h"
+#include "core/vec.h"
 #include "gr/light.h"
 #include "render/light_node.h"
 
 #include <array>
-#include <bit>
+#include <cstddef>
 #include <vector>
 
 namespace render {
@@ -46,7 +48,7 @@ public:
         return {core::gather(lights_.data(), core::toUInt(start.base + node)), probability};
     }
 
-    // Of pick(), that it picks this light.
+    // How likely pick() is to pick this light.
     template<class Real>
     Real probability(const core::Vec3<Real>& at, const Real& light) const {
         const Real leaf = core::gather(leaves_.data(), core::toUInt(light));
@@ -135,7 +137,7 @@ private:
         }
         return start;
     }
-    // Of pickGroup(), that it picks the group in which the leaf is; and that group's base.
+    // How likely pickGroup() is to pick the group in which the leaf is. base: becomes that group's.
     template<class Real>
     Real groupProbability(const core::Vec3<Real>& at, const Real& leaf, Real& base) const {
         Real probability(1);

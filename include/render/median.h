@@ -4,6 +4,7 @@
 #include "render/image.h"
 
 #include <span>
+#include <vector>
 
 namespace render {
 
@@ -15,7 +16,7 @@ inline constexpr int largestMedian = 15;
 template<class Number>
 std::vector<Number> medianFilter(std::span<const Number> numbers, int width, int height, int n, int threads = 0);
 
-// Of each channel by itself. NaN counts as greater than any number.
+// Filters each channel by itself. NaN counts as greater than any number.
 void applyMedian(Image& image, int n);
 
 }  // namespace render

@@ -3,9 +3,11 @@
 // mean over them is nearer to the integral than that over independent numbers.
 #pragma once
 
-#include "core/vec.h"
+#include "core/lanes.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace render {
 
@@ -93,7 +95,7 @@ public:
     // pixel: of the seed and the pixel, mixed. sample: its number in the pixel, below 2^bits.
     OwenSobol(const UInt& pixel, const UInt& sample, int bits)
         : pixel_(pixel), bits_(bits), reversedSample_(reversedBits(sample)) {
-        // Of a number in [2^k, 2^(k+1)) the bits below k.
+        // A sample's number in [2^k, 2^(k+1)) leaves all bits below k set.
         UInt below = sample >> 1;
         for (int step = 1; step < bits; step *= 2) below = below | (below >> step);
         reversedBelow_ = reversedBits(below);

@@ -1,6 +1,7 @@
 // What the path integrator is given, whatever number of lanes it has.
 #pragma once
 
+#include "core/vec.h"
 #include "render/eye_media.h"
 #include "render/integrator.h"
 #include "render/path_scene.h"
@@ -10,8 +11,10 @@ namespace render {
 struct PathSetup {
     PathScene scene;
     int pathLength;
-    int lightSamples;  // of each light that has places to draw, at each surface point, but where
-    bool picksLights;  // chance picks which light a sample asks: then of all lights together
+    // The light samples at each surface point. Where chance picks the light that a sample asks, so many are drawn in
+    // all; else so many of each light that has places to draw, and one of each other light.
+    int lightSamples;
+    bool picksLights;  // whether chance does
     core::Rgbf background, ambient;
     EyeMedia eyeMedia;
 };

@@ -70,11 +70,11 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 // Whether a path may find any light at all.
-bool isLit(const RenderJob& job, const gr::Scene& scene) {
+bool hasLight(const RenderJob& job, const gr::Scene& scene) {
     const auto shines = [](const core::Rgbf& light) { return light != core::Rgbf(0); };
-    bool isLit = shines(job.settings.background) || shines(job.ambient);
-    scene.lights.forEach([&](const auto& light) { isLit |= light.power() > 0; });
-    return isLit;
+    bool anyShines = shines(job.settings.background) || shines(job.ambient);
+    scene.lights.forEach([&](const auto& light) { anyShines |= light.power() > 0; });
+    return anyShines;
 }
 
 // What came out otherwise than it was asked for.
@@ -102,7 +102,7 @@ Tcl_Obj* renderCommand(Call& call) {
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
     const render::ImageFile file(job.file, job.layers());
-    if (!isLit(job, scene))
+    if (!hasLight(job, scene))
         warn(call, "gr_render: " + job.file +
                        ": nothing shines, the picture is black: no lamp and no light named has " +
                        "radiance, and background and ambient are black");

@@ -51,7 +51,7 @@ std::size_t leavesBelow(std::size_t node, std::size_t count) {
     return leaves;
 }
 
-// Of the angle between an axis and what is farthest from it in a light's cone.
+// The cosine of the angle between an axis and what is farthest from it in a light's cone.
 float farthestCosine(const Vec3f& axis, const gr::LightBounds& bounds) {
     const float cosine = glm::dot(axis, bounds.axis), sine = std::sqrt(std::max(0.f, 1 - cosine * cosine));
     const float coneSine = std::sqrt(std::max(0.f, 1 - bounds.cosine * bounds.cosine));

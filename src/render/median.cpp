@@ -136,7 +136,7 @@ private:
             std::memcpy(work_[row + i], sorted_[number][i] + column, bytes(Rows<Number>::length - column));
     }
 
-    // Of the largest group in its place, and what is right of it, the median in row 0.
+    // Merges the largest group in its place with what is right of it. The median is in row 0 then.
     void join() {
         const std::vector<Group>& groups = networks_.groups();
         load(groups.back(), groups.size() - 1, 0, 0);

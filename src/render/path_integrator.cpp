@@ -1,4 +1,26 @@
+#include "core/lanes.h"
+#include "core/ray.h"
+#include "core/vec.h"
+#include "gr/scene.h"
+#include "gr/shape.h"
+#include "gr/surface_point.h"
+#include "gr/tracer.h"
+#include "materials/bsdf.h"
+#include "render/camera.h"
+#include "render/integrator.h"
 #include "render/lane_lights.h"
+#include "render/lane_paths.h"
+#include "render/media.h"
+#include "render/owen_sobol.h"
+#include "render/path_scene.h"
+#include "render/path_setup.h"
+
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <variant>
 
 namespace render {
 namespace {
@@ -95,9 +117,11 @@ private:
         paths.throughput = core::select(here, Rgb<Real>(Real(1)), paths.throughput);
         paths.indexSquared = core::select(here, Real(1), paths.indexSquared);
         paths.surfacePoints = core::select(here, Real(0), paths.surfacePoints);
-        paths.pdfW = core::select(here, Real(core::infinity), paths.pdfW);
         paths.lightDraw = core::select(here, light, paths.lightDraw);
         paths.alive = paths.alive | here;
+        // The eye asks no lights.
+        paths.cannotBeAsked = paths.cannotBeAsked | here;
+        paths.countedByLights = paths.countedByLights & !here;
         rays.camera += static_cast<std::uint64_t>(std::popcount(begun));
         if (scene_.hasInteriors) startMedia(paths, begun);
     }
@@ -112,26 +136,27 @@ private:
 
     // Takes every path to its next surface point, and on from there: physics.md in a page.
     void goOn(Paths<Real>& paths, const Camera& camera, Samples& samples) const {
-        RayCounts& rays = samples.rays;
-        // Find the nearest surface; a path that leaves the scene ends in the background.
-        const gr::HitOf<Real> hit = tracer_.nearest(paths.ray, paths.alive, rays.traversal);
+        // Find the nearest surface; the first one goes into the picture's layers.
+        const gr::HitOf<Real> hit = tracer_.nearest(paths.ray, paths.alive, samples.rays.traversal);
         const gr::SurfacePoint<Real> surface = tracer_.surfaceAt(paths.ray, hit);
         const Mask<Real> isMet = paths.alive & surface.isMet();
         const ShadingPoints<Real> points(scene_, paths.ray, surface, isMet & (surface.light < Real(0)));
         if (!samples.first.empty()) tellFirst(paths, points, camera.depth(paths.ray, surface.t), isMet, samples);
 
-        // On the way there a medium absorbs.
+        // Let the medium on the way there absorb.
         if (scene_.hasInteriors) {
             meetFromInside(paths, points);
             paths.throughput *= paths.media.transmittance(surface.t);
         }
+
+        // Add the background where a path leaves the scene, and end the path.
         const Mask<Real> leaves = paths.alive & !isMet;
         if (core::any(leaves)) {
             const Rgb<Real> sky = paths.throughput * core::broadcast<Real>(setup_.background);
             paths.radiance += core::select(leaves, sky, Rgb<Real>(Real(0)));
         }
 
-        // A path ends at a light. Its back is dark.
+        // Add what a light emits where a path meets its front, by multiple importance sampling, and end the path.
         const Mask<Real> hitsLight = isMet & (surface.light >= Real(0));
         if (core::any(hitsLight)) {
             const Rgb<Real> light = paths.throughput * lights_.emitted(paths, points, hitsLight);
@@ -139,19 +164,19 @@ private:
         }
         paths.alive = isMet & !hitsLight;
         if (!core::any(paths.alive)) return;
+
+        // Sample the lights and add what the surface reflects of them, by multiple importance sampling, too.
         paths.surfacePoints += Real(1);
         const Mask<Real> isLast = paths.surfacePoints >= Real(static_cast<float>(setup_.pathLength));
+        const Rgb<Real> direct = paths.throughput * lights_.direct(paths, points, isLast, samples.rays);
+        paths.radiance += core::select(paths.alive, direct, Rgb<Real>(Real(0)));
 
-        // Add the light that comes straight from the lights.
-        paths.radiance += core::select(paths.alive, paths.throughput * lights_.direct(paths, points, isLast, rays),
-                                       Rgb<Real>(Real(0)));
-
-        // A path that is as long as it may be ends here.
+        // End a path that is as long as it may be, in the ambient light.
         if (setup_.ambient != core::Rgbf(0)) addAmbient(paths, points, isLast);
         paths.alive = paths.alive & !isLast;
         if (!core::any(paths.alive)) return;
 
-        // Go on in a direction drawn by the material.
+        // Sample the BSDF, which is the material's, for a direction in which to go on.
         const UInt number = core::toUInt(paths.surfacePoints);
         const Point4<Real> u = paths.random.point(PathNumbers<Real>::way(number));
         const Point4<Real> more = paths.random.point(PathNumbers<Real>::method(number));
@@ -159,25 +184,27 @@ private:
         const BsdfSample<Real> next = sampled(points, {more[0], {u[0], u[1]}}, indexBeyond);
         const Mask<Real> isThrough = next.wi.z < Real(0);
         const Vec3<Real> direction = points.frame.toWorld(next.wi);
-        paths.lightDraw = Vec3<Real>(u[2], u[3], more[2]);
         paths.throughput *= next.weight;
+        paths.indexSquared *= core::select(isThrough, indexBeyond * indexBeyond, Real(1));
         paths.alive = paths.alive & next.valid & !points.isOnWrongSide(direction, next.wi);
 
-        // Of those that carry less than a third of the light that they could, end some at random, and let the others
-        // count for them (Russian roulette). What refraction takes from radiance does not count: it gives it back where
-        // the path comes out again.
-        paths.indexSquared *= core::select(isThrough, indexBeyond * indexBeyond, Real(1));
+        // Play Russian roulette where less than a third of the light is left; survivors count for the others.
         const Rgb<Real> left = paths.throughput * paths.indexSquared;
         const Real survival = core::min(core::max(left.x, core::max(left.y, left.z)) * Real(3), Real(1));
         paths.alive = paths.alive & (more[1] < survival);
         paths.throughput /= core::select(paths.alive, survival, Real(1));
 
+        // Start the next ray, on the side to which it goes.
         if (scene_.hasInteriors) crossSurfaces(paths, points, isThrough);
         paths.ray.origin = points.offset(core::select(isThrough, -points.normal, points.normal));
         paths.ray.direction = direction;
-        const Real zeroOrAll = core::select(next.isLit, Real(0), Real(core::infinity));
-        paths.pdfW = core::select(next.isLit & !next.isDelta, next.pdfW, zeroOrAll);
-        count(rays, paths.alive, next);
+        paths.lightDraw = Vec3<Real>(u[2], u[3], more[2]);
+        count(samples.rays, paths.alive, next);
+
+        // Remember how its direction was drawn, for the balance heuristic at a light that it meets.
+        paths.pdfWBsdf = next.pdfW;
+        paths.cannotBeAsked = !next.isLit;
+        paths.countedByLights = next.isLit & next.isDelta;
     }
 
     void tellFirst(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Real& depth,
@@ -231,7 +258,7 @@ private:
         paths.media.update();
     }
 
-    // Of refraction, beyond the surface over this side of it.
+    // The index of refraction beyond each surface over that on this side of it.
     Real indicesBeyond(const Paths<Real>& paths, const ShadingPoints<Real>& points) const {
         core::LaneArray<Real> index(Real(1));
         const std::uint32_t fromOutside = core::bitsOf(points.fromOutside);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int side = 2000;
 
-// Of the processor: that the machine has other work, too, falls on neither.
+// The processor's seconds: that the machine has other work, too, falls on neither.
 double secondsSince(std::clock_t start) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }

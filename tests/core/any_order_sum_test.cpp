@@ -20,7 +20,7 @@ AnyOrderSum sumOf(const std::vector<double>& numbers) {
     return sum;
 }
 
-// Of sizes from 2^-60 to 2^60.
+// Numbers of sizes from 2^-60 to 2^60.
 std::vector<double> manyNumbers(std::mt19937& random) {
     std::vector<double> numbers(2000);
     std::uniform_real_distribution<double> exponent(-60, 60);

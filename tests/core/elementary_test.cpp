@@ -46,7 +46,7 @@ TEST(Log, HoldsAtTheEndsOfItsRange) {
     EXPECT_FLOAT_EQ(log(std::numeric_limits<float>::max()), 88.722839f);
 }
 
-// Of neighbouring floats the larger never has a logarithm that is smaller by more than rounding is; where the mantissa
+// The larger of neighbouring floats never has a logarithm that is smaller by more than rounding is; where the mantissa
 // turns from sqrt(2) to sqrt(1/2) above all.
 TEST(Log, HasNoStepWhereTheMantissaTurns) {
     for (int exponent = -125; exponent <= 127; ++exponent) {

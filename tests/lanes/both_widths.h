@@ -128,7 +128,7 @@ public:
         return {x, y, z};
     }
 
-    // Of unit length; often along an axis or in a plane of two.
+    // A vector of unit length, often along an axis or in a plane of two.
     core::Vec3f direction() {
         for (;;) {
             core::Vec3f v;

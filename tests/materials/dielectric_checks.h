@@ -34,8 +34,8 @@ BsdfSample<float> sampleBy(const M& material, const core::Weights& method, const
     return alone.template sample<float>(wo, BsdfDraw<float>{0.5f, {0.3f, 0.6f}}, n);
 }
 
-// Of the weights that reflection and refraction carry at this angle, and of the refracted direction. Empty where they
-// are right.
+// What is wrong with the weights that reflection and refraction carry at this angle, and with the refracted direction.
+// Empty where they are right.
 template<class M>
 std::string interfaceFault(const M& material, double angle, float n) {
     constexpr double relative = 2e-5;

@@ -44,7 +44,7 @@ testing::AssertionResult isLeft(const core::Rgbf& radiance, const glm::dvec3& ex
 class Absorption : public EachIntegrator {};
 INSTANTIATE_TEST_SUITE_P(By, Absorption, eachIntegrator, integratorName);
 
-// Of a slab 0 <= y <= thickness: rays from above go down at a slant.
+// The slab is 0 <= y <= thickness: rays from above go down at a slant.
 TEST_P(Absorption, OfASlabSeenFromOutsideFollowsBeersLaw) {
     for (const double thickness : {0.01, 0.3, 1.0, 4.0}) {
         for (const glm::dvec3& a : {absorption, glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0.2)}) {
@@ -144,7 +144,7 @@ TEST_P(Absorption, ReachesTheWayOfABounce) {
         converges(Radiometer(scene, eye), rayTowards(eye, {0, 0, 0}), 0.8 * glm::dvec3(sky) * left(absorption, 2.5)));
 }
 
-// Of glass that reflects R at each surface: the light goes to and fro in it, R e^(-a t) being left each time.
+// Glass reflects R at each surface: the light goes to and fro in it, R e^(-a t) being left each time.
 TEST_P(Absorption, OfASlabOfGlassAddsUpOverItsReflections) {
     Murk scene;
     scene.settings.pathLength = 50;

@@ -137,7 +137,8 @@ TEST_P(ConvergedPicture, IsMet) {
     EXPECT_LE(renders.relativeError(reference), allowance * picture.noise);
 }
 
-// The light grazes it: it suffers most where rays start off their surface.
+// The light grazes it. Rays that start 4 units off their surface make it half a per cent darker, and 5 % if lights are
+// asked from there, too. It is seen to fail with both; here it is 0.18 % off at most, and its standard error 0.07 %.
 TEST(ConvergedPictureA, ShowsTheTallBoxsFront) {
     constexpr Area front{80, 114, 120, 219};
     const Renders renders(pictures[0]);
@@ -145,7 +146,7 @@ TEST(ConvergedPictureA, ShowsTheTallBoxsFront) {
     for (const char* channel : {"R", "G", "B"})
         EXPECT_NEAR(
             renders.mean(reference, channel, front).mean() / Renders::meanOf(reference, reference, channel, front), 1,
-            0.01)
+            0.004)
             << channel;
 }
 

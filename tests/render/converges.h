@@ -34,7 +34,7 @@ struct Deviation {
     }
 };
 
-// Of the channel that is off most.
+// The deviation of the channel that is off most.
 inline Deviation deviation(const RgbMean& mean, const glm::dvec3& expected) {
     Deviation worst(mean[0], expected[0]);
     for (int channel = 1; channel < 3; ++channel) {
@@ -88,7 +88,7 @@ inline testing::AssertionResult brings(const Radiometer& radiometer, const core:
 }
 
 // Whether any of many paths brings light.
-inline bool isLit(const Radiometer& radiometer, const core::Rayf& ray) {
+inline bool seesLight(const Radiometer& radiometer, const core::Rayf& ray) {
     for (int path = 0; path < 300; ++path)
         if (radiometer.sample(ray, 1, path) != core::Rgbf(0)) return true;
     return false;

@@ -80,7 +80,7 @@ TEST(Lens, IsTheSameInLanes) {
 class Edge : public EachIntegrator {
 protected:
     // The lamp ends to the right of the pixel's centre at that distance by `beyond`, or, upright, above it.
-    // Of pictures of 16 samples, each of a seed of its own.
+    // The mean is over pictures of 16 samples, each of a seed of its own.
     support::RunningMean lit(const glm::ivec2& pixel, double distance, double beyond, bool upright,
                              std::uint64_t pictures) const {
         TestScene scene;

@@ -154,7 +154,7 @@ TEST_P(LightTreeOf, MayPickEveryLightThatShinesThere) {
     EXPECT_GT(shining, 30'000);
 }
 
-// Of two lights each other way alike the nearer, the brighter and the one that faces the point are asked more often.
+// Two lights differ in one thing: the nearer, the brighter or the one that faces the point is asked more often.
 TEST(LightTree, AsksThoseThatBringMore) {
     const auto shareOfSecond = [](double x, double brightness, double degrees) {
         TestScene scene;

@@ -227,7 +227,7 @@ TEST_F(Program, LeavesNothingBesideThePicture) {
     EXPECT_THAT(folder.names(), testing::UnorderedElementsAre("scene.gr", "a.png"));
 }
 
-// Of each scene that comes with grsh, two lines from its middle, with few samples.
+// Two lines from the middle of each scene that comes with grsh, with few samples.
 TEST_F(Program, RendersEveryScene) {
     writeText(folder / "two-lines.gr", R"(
 rename gr_render render

@@ -41,7 +41,7 @@ public:
         double lit = -2, dark = 2;
         while (dark - lit > 1e-6) {
             const double middle = (lit + dark) / 2;
-            (isLit(radiometer(), rayFrom(middle)) ? lit : dark) = middle;
+            (seesLight(radiometer(), rayFrom(middle)) ? lit : dark) = middle;
         }
         return lit;
     }
@@ -101,7 +101,7 @@ TEST_P(Refraction, EndsAtTheCriticalAngle) {
         double open = 0, closed = 1.5;
         while (closed - open > 1e-6) {
             const double middle = (open + closed) / 2;
-            (isLit(radiometer, depths.rayAt(middle)) ? open : closed) = middle;
+            (seesLight(radiometer, depths.rayAt(middle)) ? open : closed) = middle;
         }
         EXPECT_NEAR(open, std::asin(1 / n), 2e-5) << n;
     }

@@ -50,7 +50,7 @@ private:
     std::array<RgbMean, sameLightWidth * sameLightHeight> pixels_;
 };
 
-// Of the channel that differs most.
+// The comparison of the channel that differs most.
 inline support::ImageComparison compare(const PictureMean& a, const PictureMean& b) {
     support::ImageComparison worst;
     for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -47,7 +47,7 @@ double albedo(const Shirley& material, int channel, const glm::dvec3& wo) {
     return support::integrate2d(eval, 0, 1, 0, 2 * pi, 1e-4);
 }
 
-// Of a lamp 2 x 2 above the speck, where the eye sees it mirrored in part.
+// The light of a lamp 2 x 2 above the speck, where the eye sees it mirrored in part.
 glm::dvec3 expectedLight(const Shirley& material) {
     const glm::dvec3 wo = Speck<Shirley>::local(Speck<Shirley>::eye);
     glm::dvec3 sum;

@@ -22,7 +22,7 @@ struct TestScene {
         database.addMaterial(name, material);
         database.setMaterial(":" + name, name);
     }
-    // Of what reflects diffusely.
+    // The material is diffuse.
     void add(const std::string& name, const gr::NodeContent& content, const core::Rgbf& reflectance) {
         add(name, content, materials::Diffuse{reflectance});
     }

@@ -26,7 +26,7 @@ TEST(VarianceLayer, IsThatOfPixelsOverManySeeds) {
         support::RunningMean pixels;
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) pixels.add(double(film.at(x, y)[channel]));
-        // Of each pixel: how far it is from the mean of all, squared, less what the layer says of it.
+        // For each pixel: how far it is from the mean of all, squared, less what the layer says of it.
         const double bias = double(pixels.count()) / (double(pixels.count()) - 1);
         support::RunningMean difference, layer;
         for (int y = 0; y < size; ++y)

@@ -3,7 +3,7 @@ const frame = document.getElementById('frame');
 const faults = [];
 const expect = (holds, fault) => { if (!holds) faults.push(fault); };
 
-// Of WCAG 2: the ratio of two colours' luminances.
+// The luminance as WCAG 2 has it, for the ratio of two colours'.
 function luminance(colour) {
     const [r, g, b] = colour.match(/[\d.]+/g).map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
