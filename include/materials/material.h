@@ -1,6 +1,6 @@
-// THE list of materials. To add one: write its header here beside diffuse.h (parameters with defaults, typeName,
-// options(), interior(), at() with the BSDF that it makes, and what else Diffuse has) and add its name to Material.
-// gr_material, its help, its errors, both integrators, the fingerprint and every statistical test walk this list.
+// THE list of materials. To add one: write its header here beside diffuse.h, with all that CompleteMaterial asks for,
+// and add its name to Material. gr_material, its help, its errors, both integrators, the fingerprint and every
+// statistical test walk this list.
 #pragma once
 
 #include "materials/dielectric.h"
@@ -16,10 +16,19 @@ namespace materials {
 
 using Material = std::variant<Diffuse, Dielectric, Shirley>;
 
+// One type at a time, so that the compiler says which lacks what.
+template<class M>
+struct MaterialType {
+    static_assert(CompleteMaterial<M>, "a material of the list lacks something: what, the compiler says here");
+    static constexpr bool isComplete = true;
+};
+
 template<class List>
 struct MaterialList;
 template<class... Types>
 struct MaterialList<std::variant<Types...>> {
+    static_assert((MaterialType<Types>::isComplete && ...));
+
     template<class Real>
     using Bsdf = std::variant<BsdfOf<Types, Real>...>;
     template<class M>
