@@ -1,17 +1,52 @@
-// THE list of materials. To add one: write its header here beside diffuse.h (parameters with defaults, typeName,
-// options(), eval, pdfW, sample, interior and what else Diffuse has) and add its name to Material. gr_material, its
-// help, its errors and every statistical test walk this list.
+// THE list of materials. To add one: write its header here beside diffuse.h, with all that CompleteMaterial asks for,
+// and add its name to Material. gr_material, its help, its errors, both integrators, the fingerprint and every
+// statistical test walk this list.
 #pragma once
 
 #include "materials/dielectric.h"
 #include "materials/diffuse.h"
+#include "materials/material_concept.h"
 #include "materials/shirley.h"
 
+#include <cstddef>
+#include <type_traits>
 #include <variant>
 
 namespace materials {
 
 using Material = std::variant<Diffuse, Dielectric, Shirley>;
+
+// One type at a time, so that the compiler says which lacks what.
+template<class M>
+struct MaterialType {
+    static_assert(CompleteMaterial<M>, "a material of the list lacks something: what, the compiler says here");
+    static constexpr bool isComplete = true;
+};
+
+template<class List>
+struct MaterialList;
+template<class... Types>
+struct MaterialList<std::variant<Types...>> {
+    static_assert((MaterialType<Types>::isComplete && ...));
+
+    template<class Real>
+    using Bsdf = std::variant<BsdfOf<Types, Real>...>;
+    template<class M>
+    static constexpr std::size_t indexOf = std::variant<std::type_identity<Types>...>(std::type_identity<M>()).index();
+};
+
+// What a material is at a surface point, or at one in each lane.
+template<class Real>
+using Bsdf = MaterialList<Material>::Bsdf<Real>;
+
+template<class Real, class Point>
+Bsdf<Real> bsdfAt(const Material& material, const Point& point) {
+    return std::visit(
+        [&]<class M>(const M& m) {
+            return Bsdf<Real>(std::in_place_index<MaterialList<Material>::indexOf<M>>, m.template at<Real>(point));
+        },
+        material);
+}
 
 // Calls f.operator()<M>() for each material type M of the list, in its order.
 template<class F>

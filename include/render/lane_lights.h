@@ -148,9 +148,9 @@ private:
         const Vec3 wi = points.frame.toLocal(sample.wi);
         Rgb f(Real(0));
         Real pdfWBsdf(0);
-        points.forEachMaterial([&](const auto& bsdf, const Mask& here) {
+        points.forEachBsdf([&](const auto& bsdf, const Mask& here) {
             f = core::select(here, bsdf.eval(points.wo, wi), f);
-            pdfWBsdf = core::select(here, bsdf.template pdfW<Real, PathHemisphere>(points.wo, wi), pdfWBsdf);
+            pdfWBsdf = core::select(here, bsdf.template pdfW<PathHemisphere>(points.wo, wi), pdfWBsdf);
         });
         const Real pdfWLight = sample.pdfW;
         // From a path's last surface point no ray goes on: light sampling brings all, as it does of a point light.

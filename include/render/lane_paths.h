@@ -7,6 +7,7 @@
 #include "core/vec.h"
 #include "gr/scene.h"
 #include "gr/surface_point.h"
+#include "materials/material.h"
 #include "render/lane_media.h"
 #include "render/owen_sobol.h"
 #include "render/path_scene.h"
@@ -86,7 +87,7 @@ struct ShadingPoints {
         wo = frame.toLocal(-ray.direction);
     }
 
-    // Calls f(bsdf, mask) for each material that any lane's surface is made of.
+    // Calls f(material, mask) for each material that any lane's surface is made of.
     template<class F>
     void forEachMaterial(F&& f) const {
         const core::LaneArray<Real> index(surface.material);
@@ -94,8 +95,15 @@ struct ShadingPoints {
             const float material = index[std::countr_zero(rest)];
             const core::Mask<Real> here = surface.material == Real(material);
             rest &= ~core::bitsOf(here);
-            std::visit([&](const auto& bsdf) { f(bsdf, here); }, scene.materials[static_cast<std::size_t>(material)]);
+            std::visit([&](const auto& m) { f(m, here); }, scene.materials[static_cast<std::size_t>(material)]);
         }
+    }
+    // Calls f(bsdf, mask) for what each of them is there. It is made anew for each use: while its parameters are the
+    // same in all lanes the processor has them at hand, and to keep it would be to write them out and read them back.
+    template<class F>
+    void forEachBsdf(F&& f) const {
+        forEachMaterial(
+            [&](const auto& material, const core::Mask<Real>& here) { f(material.template at<Real>(surface), here); });
     }
     // Light from there would shine through the surface: it is above as the surface is shaded and below as it lies, or
     // the other way round.
@@ -107,8 +115,8 @@ struct ShadingPoints {
 private:
     void turnFrame() {
         const core::Frame<Real> turned(frame.z, surface.tangent);
-        forEachMaterial([&](const auto& bsdf, const core::Mask<Real>& here) {
-            if (!bsdf.isAnisotropic()) return;
+        forEachMaterial([&](const auto& material, const core::Mask<Real>& here) {
+            if (!material.isAnisotropic()) return;
             frame.x = core::select(here, turned.x, frame.x);
             frame.y = core::select(here, turned.y, frame.y);
         });

@@ -6,6 +6,7 @@
 #include "gr/surface_point.h"
 #include "gr/tracer.h"
 #include "materials/bsdf.h"
+#include "materials/material.h"
 #include "render/camera.h"
 #include "render/integrator.h"
 #include "render/lane_lights.h"
@@ -213,16 +214,16 @@ private:
             material(points.surface.material), light(points.surface.light);
         const std::uint32_t first = core::bitsOf(isMet & (paths.surfacePoints == Real(0)));
         core::forEachLane(first, [&](int lane) {
-            const auto& bsdf = scene_.scene.materials[static_cast<std::size_t>(material[lane])];
-            const core::Rgbf albedo =
-                light[lane] >= 0 ? core::Rgbf(0) : std::visit([](const auto& m) { return m.albedo(); }, bsdf);
+            const auto albedoOf = [](const auto& m) { return m.albedo(); };
+            const materials::Material& made = scene_.scene.materials[static_cast<std::size_t>(material[lane])];
+            const core::Rgbf albedo = light[lane] >= 0 ? core::Rgbf(0) : std::visit(albedoOf, made);
             samples.first[paths.slot[static_cast<std::size_t>(lane)]] = {t[lane], albedo, {x[lane], y[lane], z[lane]}};
         });
     }
 
     void addAmbient(Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isLast) const {
-        points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
-            const Rgb<Real> light = core::broadcast<Real>(setup_.ambient * bsdf.ambientReflectance());
+        points.forEachMaterial([&](const auto& material, const Mask<Real>& here) {
+            const Rgb<Real> light = core::broadcast<Real>(setup_.ambient * material.ambientReflectance());
             paths.radiance += core::select(here & paths.alive & isLast, paths.throughput * light, Rgb<Real>(Real(0)));
         });
     }
@@ -236,8 +237,8 @@ private:
                               none<Real>(),
                               none<Real>(),
                               none<Real>()};
-        points.forEachMaterial([&](const auto& bsdf, const Mask<Real>& here) {
-            next = select<Real>(here, bsdf.template sample<Real, PathHemisphere>(points.wo, u, indexBeyond), next);
+        points.forEachBsdf([&](const auto& bsdf, const Mask<Real>& here) {
+            next = select<Real>(here, bsdf.template sample<PathHemisphere>(points.wo, u, indexBeyond), next);
         });
         return next;
     }

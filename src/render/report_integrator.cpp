@@ -1,6 +1,9 @@
 #include "core/frame.h"
+#include "materials/material.h"
 #include "render/eye_media.h"
 #include "render/integrator.h"
+
+#include <variant>
 
 namespace render {
 namespace {
@@ -12,7 +15,7 @@ using materials::BsdfSample;
 using materials::Interior;
 
 bool isAnisotropic(const materials::Material& material) {
-    return std::visit([](const auto& bsdf) { return bsdf.isAnisotropic(); }, material);
+    return std::visit([](const auto& m) { return m.isAnisotropic(); }, material);
 }
 
 // A surface point as the path sees it: the normals are turned to where the path comes from.
@@ -23,6 +26,7 @@ struct ShadingPoint {
     Vec3f normal;
     core::Frame<float> frame;  // round the shading normal
     Vec3f wo;  // back along the path, in the frame
+    materials::Bsdf<float> bsdf;  // what the material is here
     const Interior* interior;  // null for what is opaque: there both sides are alike
 
     ShadingPoint(const gr::Scene& scene, const Rayf& ray, const gr::Hit& hit)
@@ -32,23 +36,21 @@ struct ShadingPoint {
           normal(fromOutside ? surface.normal : -surface.normal),
           frame(frameRound(fromOutside ? surface.shadingNormal : -surface.shadingNormal)),
           wo(frame.toLocal(-ray.direction)),
+          bsdf(materials::bsdfAt<float>(material, surface)),
           interior(scene.interiorOf(scene.instances[hit.instance].material)) {}
 
     // f * |cos| towards light in a direction of the world.
     Rgbf eval(const Vec3f& direction) const {
         const Vec3f wi = frame.toLocal(direction);
         if (isOnWrongSide(wi)) return Rgbf(0);
-        return std::visit([&](const auto& bsdf) { return bsdf.template eval<float>(wo, wi); }, material);
+        return std::visit([&](const auto& b) { return b.eval(wo, wi); }, bsdf);
     }
     // One of the material's ways to go on, and a direction that it takes.
     BsdfSample<float> sample(Sampler& sampler, const Media& media) const {
         const float method = sampler.next1D();
         const core::Vec2f place = sampler.next2D();
         const float indexBeyond = interior == nullptr ? 1 : media.indexBeyond(*interior, fromOutside) / media.index();
-        const auto draw = [&](const auto& bsdf) {
-            return bsdf.template sample<float>(wo, {method, place}, indexBeyond);
-        };
-        return std::visit(draw, material);
+        return std::visit([&](const auto& b) { return b.sample(wo, {method, place}, indexBeyond); }, bsdf);
     }
     // Whether a direction of the frame is above the surface as it is shaded and below it as it lies, or the other way
     // round: light from there would shine through the surface.
@@ -61,10 +63,10 @@ struct ShadingPoint {
     // A light reflects nothing.
     Rgbf albedo() const {
         if (isLight()) return Rgbf(0);
-        return std::visit([](const auto& bsdf) { return bsdf.albedo(); }, material);
+        return std::visit([](const auto& m) { return m.albedo(); }, material);
     }
     Rgbf ambientReflectance() const {
-        return std::visit([](const auto& bsdf) { return bsdf.ambientReflectance(); }, material);
+        return std::visit([](const auto& m) { return m.ambientReflectance(); }, material);
     }
 
 private:

@@ -12,7 +12,8 @@ tree=$(mktemp -d)
 trap "rm -rf '$tree'" EXIT
 cp -r "$root/include" "$root/src" "$tree"
 cd "$tree"
-compile+=(-Iinclude)
+# The path integrator is compiled once for each width of lanes; one of them is enough here.
+compile+=(-Iinclude -DGRSH_REAL=core::Lanes -DGRSH_PATH_INTEGRATOR=path_integrator)
 
 fail() {
     echo "recipes: $1"
@@ -89,6 +90,14 @@ done
 
 # A material: the diffuse one under another name.
 named "a material" include/materials/diffuse.h include/materials/material.h
-sed 's/\bDiffuse\b/Chalk/g; s/"diffuse";/"chalk";/' include/materials/diffuse.h >include/materials/chalk.h
+material=include/materials/chalk.h
+sed 's/\bDiffuse\(\|Bsdf\)\b/Chalk\1/g; s/"diffuse";/"chalk";/' include/materials/diffuse.h >"$material"
 change include/materials/material.h 's|#include "materials/dielectric.h"|#include "materials/chalk.h"\n&|; s/variant<Diffuse/&, Chalk/'
-compiles src/grsh/material_commands.cpp src/gr/{compile,fingerprint}.cpp src/render/report_integrator.cpp
+compiles src/grsh/material_commands.cpp src/gr/{compile,fingerprint}.cpp src/render/{report,path}_integrator.cpp
+echo '#include "materials/material.h"' >material.cpp
+for part in typeName options canSample sampling at isAnisotropic interior albedo ambientReflectance eval pdfW sample; do
+    cp "$material" whole
+    change "$material" "/#include/! s/\b$part\b/not_$part/"
+    refused "a material of the list lacks something" material.cpp
+    cp whole "$material"
+done

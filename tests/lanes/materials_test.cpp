@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lanes/both_widths.h"
+#include "materials/bsdf_of.h"
 #include "materials/each_hemisphere.h"
 
 namespace lanes {
@@ -27,8 +28,9 @@ TYPED_TEST(LanesMaterial, ReflectsTheSame) {
         SCOPED_TRACE(name);
         expectSame(directions, [&]<class Real>(const std::array<Real, 6>& x) {
             const core::Vec3<Real> wo = vectorAt(x.data()), wi = vectorAt(x.data() + 3);
-            const core::Rgb<Real> f = material.template eval<Real>(wo, wi);
-            return std::array<Real, 4>{f.x, f.y, f.z, material.template pdfW<Real>(wo, wi)};
+            const auto bsdf = materials::bsdfOf<Real>(material);
+            const core::Rgb<Real> f = bsdf.eval(wo, wi);
+            return std::array<Real, 4>{f.x, f.y, f.z, bsdf.pdfW(wo, wi)};
         });
     });
 }
@@ -44,7 +46,7 @@ TYPED_TEST(LanesMaterial, DrawsTheSame) {
         SCOPED_TRACE(name);
         const auto results = expectSame(draws, [&]<class Real>(const std::array<Real, 7>& x) {
             const materials::BsdfDraw<Real> u{x[3], {x[4], x[5]}};
-            const auto sample = material.template sample<Real>(vectorAt(x.data()), u, x[6]);
+            const auto sample = materials::bsdfOf<Real>(material).sample(vectorAt(x.data()), u, x[6]);
             // What an invalid sample carries does not matter.
             const auto ifValid = [&](const Real& number) { return core::select(sample.valid, number, Real(0)); };
             return std::array<Real, 11>{asNumber<Real>(sample.valid),

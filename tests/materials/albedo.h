@@ -30,7 +30,8 @@ inline double mean(const core::Rgbf& c) {
 // value: the number that is made of the colour that eval gives.
 template<class M, class Value>
 double albedo(const M& material, const core::Vec3f& wo, const Value& value) {
-    const auto reflected = [&](const core::Vec3f& wi) { return value(material.eval(wo, wi)); };
+    const auto bsdf = bsdfOf(material);
+    const auto reflected = [&](const core::Vec3f& wi) { return value(bsdf.eval(wo, wi)); };
     return withMap(material, wo, [&](const auto& map) { return integrateOver(map, reflected); });
 }
 
@@ -39,10 +40,11 @@ template<class M, class Value>
 double albedoInCone(const M& material, const core::Vec3f& wo, const Value& value) {
     const double height = 1 - std::cos(material.perturbation * std::numbers::pi / 180), turn = 2 * std::numbers::pi;
     const core::Frame<double> frame{glm::dvec3(mirrored(wo))};
+    const auto bsdf = bsdfOf(material);
     const auto integrand = [&](double depth, double phi) {
         const double radius = std::sqrt(depth * (2 - depth));
         const glm::dvec3 local(radius * std::cos(phi), radius * std::sin(phi), 1 - depth);
-        return value(material.eval(wo, core::Vec3f(frame.toWorld(local))));
+        return value(bsdf.eval(wo, core::Vec3f(frame.toWorld(local))));
     };
     return support::estimate2d(integrand, 0, height, 0, turn, 1e-9, 4000).value;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/frame.h"
+#include "materials/bsdf_of.h"
 #include "materials/directions.h"
 #include "materials/lobe_map.h"
 #include "materials/methods.h"
@@ -40,7 +41,7 @@ auto withMap(const M& material, const core::Vec3f& wo, const Use& use) {
 
 template<class M>
 BsdfSample<float> draw(const M& material, const core::Vec3f& wo, support::TestRandom& random) {
-    return material.template sample<float>(wo, nextDraw(random), 1.f);
+    return bsdfOf(material).sample(wo, nextDraw(random), 1.f);
 }
 
 template<class M, class Map>
@@ -55,9 +56,10 @@ support::DistributionResult testSampling(const M& material, const core::Vec3f& w
         else
             histogram.addMiss();
     }
+    const auto bsdf = bsdfOf(material);
     return histogram.test([&](double s, double t) {
         const MappedDirection direction = map.at(s, t);
-        return material.pdfW(wo, direction.w) * direction.solidAngle;
+        return bsdf.pdfW(wo, direction.w) * direction.solidAngle;
     });
 }
 
@@ -89,10 +91,11 @@ std::string sampleFault(const M& material, const core::Vec3f& wo, const BsdfSamp
     const core::Vec3f& wi = sample.wi;
     std::ostringstream fault;
     if (!(std::abs(glm::length(wi) - 1) < 1e-5f)) fault << "its length is " << glm::length(wi) << "; ";
-    const float pdf = material.pdfW(wo, wi);
+    const auto bsdf = bsdfOf(material);
+    const float pdf = bsdf.pdfW(wo, wi);
     if (!agree(sample.pdfW, pdf, relative)) fault << "its pdf is " << sample.pdfW << ", pdfW says " << pdf << "; ";
     if (sample.isDelta == (pdf > 0)) fault << "it is where the pdf is " << pdf << "; ";
-    const core::Rgbf expected = sample.isDelta ? sample.weight : material.eval(wo, wi) / pdf;
+    const core::Rgbf expected = sample.isDelta ? sample.weight : bsdf.eval(wo, wi) / pdf;
     for (int channel = 0; channel < 3; ++channel)
         if (!agree(sample.weight[channel], expected[channel], relative) || !(sample.weight[channel] >= 0))
             fault << "its weight is " << text(sample.weight) << ", f * |cos| / pdf is " << text(expected) << "; ";
@@ -111,6 +114,7 @@ std::string firstSampleFault(const M& material, const core::Vec3f& wo) {
 // Helmholtz: light that goes the other way is reflected as much, for two directions on the same side.
 template<class M>
 std::string firstReciprocityFault(const M& material) {
+    const auto bsdf = bsdfOf(material);
     support::TestRandom random(3);
     for (int i = 0; i < 100'000; ++i) {
         const core::Vec3f a = nextDirection(random);
@@ -119,8 +123,8 @@ std::string firstReciprocityFault(const M& material) {
         const core::Vec3f b =
             isNear ? nextDirectionNear(mirrored(a), lobeWidth(material), random) : nextDirection(random);
         if (a.z <= 0 || b.z <= 0) continue;
-        const core::Rgbf there = material.eval(a, b) / b.z;
-        const core::Rgbf back = material.eval(b, a) / a.z;
+        const core::Rgbf there = bsdf.eval(a, b) / b.z;
+        const core::Rgbf back = bsdf.eval(b, a) / a.z;
         for (int channel = 0; channel < 3; ++channel)
             if (!agree(there[channel], back[channel], 1e-5f))
                 return text(a) + " to " + text(b) + " is " + text(there) + ", back it is " + text(back);
@@ -131,12 +135,13 @@ std::string firstReciprocityFault(const M& material) {
 // Neither light nor samples go through an opaque surface, or from below to below.
 template<class M>
 std::string firstFaultBelow(const M& material) {
+    const auto bsdf = bsdfOf(material);
     support::TestRandom random(5);
     for (int i = 0; i < 50'000; ++i) {
         const core::Vec3f a = nextDirection(random), b = nextDirection(random);
         const core::Vec3f below(a.x, a.y, -a.z), alsoBelow(b.x, b.y, -b.z);
         for (const auto& [wo, wi] : {std::pair(below, b), std::pair(b, below), std::pair(below, alsoBelow)})
-            if (material.eval(wo, wi) != core::Rgbf(0) || material.pdfW(wo, wi) != 0)
+            if (bsdf.eval(wo, wi) != core::Rgbf(0) || bsdf.pdfW(wo, wi) != 0)
                 return "there is light or a pdf from " + text(wo) + " to " + text(wi);
     }
     return "";

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "materials/bsdf_of.h"
 #include "materials/dielectric.h"
 #include "materials/directions.h"
 
@@ -31,7 +32,7 @@ template<class M>
 BsdfSample<float> sampleBy(const M& material, const core::Weights& method, const core::Vec3f& wo, float n) {
     M alone = material;
     alone.sampling = method;
-    return alone.template sample<float>(wo, BsdfDraw<float>{0.5f, {0.3f, 0.6f}}, n);
+    return bsdfOf(alone).sample(wo, BsdfDraw<float>{0.5f, {0.3f, 0.6f}}, n);
 }
 
 // What is wrong with the weights that reflection and refraction carry at this angle, and with the refracted direction.

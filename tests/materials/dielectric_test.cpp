@@ -49,7 +49,7 @@ TEST(Dielectric, ReflectsTotallyBeyondTheCriticalAngle) {
         EXPECT_EQ(sampleBy(Dielectric{}, reflection, wo, n).weight, Rgbf(1)) << beyond;
         // Without `sampling`, no draw is lost.
         for (const float u : {0.f, 0.5f, 1 - 0x1p-24f}) {
-            const auto sample = Dielectric{}.sample(wo, BsdfDraw<float>{u, {0.5f, 0.5f}}, n);
+            const auto sample = bsdfOf(Dielectric{}).sample(wo, BsdfDraw<float>{u, {0.5f, 0.5f}}, n);
             EXPECT_TRUE(sample.valid && sample.wi.z > 0 && sample.weight == Rgbf(1)) << beyond;
         }
     }
@@ -67,7 +67,7 @@ TEST(Dielectric, ReflectsAsOftenAsItReflectsMuch) {
             support::RunningMean reflections;
             support::TestRandom random(9);
             for (int i = 0; i < 250'000; ++i) {
-                const auto sample = Dielectric{}.sample(wo, nextDraw(random), n);
+                const auto sample = bsdfOf(Dielectric{}).sample(wo, nextDraw(random), n);
                 const bool reflects = sample.wi.z > 0;
                 ASSERT_TRUE(sample.valid);
                 ASSERT_FLOAT_EQ(sample.weight.x, reflects ? 1 : 1 / (n * n));
@@ -84,7 +84,7 @@ TEST(Dielectric, WeighsByTheProbabilityOfTheMethod) {
     for (const float n : {1.5f, 1 / 1.5f}) {
         const double angle = 0.6, reflectance = textbookReflectance(angle, n);
         const auto sample = [&](float u) {
-            return glass.sample(directionAt(angle), BsdfDraw<float>{u, {0.5f, 0.5f}}, n);
+            return bsdfOf(glass).sample(directionAt(angle), BsdfDraw<float>{u, {0.5f, 0.5f}}, n);
         };
         EXPECT_NEAR(sample(0.249f).weight.x * 0.25, reflectance, 1e-5);
         EXPECT_NEAR(sample(0.251f).weight.x * 0.75, (1 - reflectance) / (n * n), 1e-5);
@@ -96,10 +96,11 @@ TEST(Dielectric, WeighsByTheProbabilityOfTheMethod) {
 TEST(Dielectric, GivesNoSampleWhereItIsToDoWhatItCannot) {
     support::TestRandom random(10);
     const Dielectric glass{.specular = Rgbf(1), .sampling = core::Weights{0.5f, 0, 0, 0.5f}};
-    for (int i = 0; i < 10'000; ++i) ASSERT_FALSE(glass.sample(nextDirection(random), nextDraw(random), 1.5f).valid);
+    for (int i = 0; i < 10'000; ++i)
+        ASSERT_FALSE(bsdfOf(glass).sample(nextDirection(random), nextDraw(random), 1.5f).valid);
     const Dielectric through{.sampling = refraction};
     for (int i = 0; i < 10'000; ++i) {
-        const auto sample = through.sample(nextDirection(random), nextDraw(random), 1.5f);
+        const auto sample = bsdfOf(through).sample(nextDirection(random), nextDraw(random), 1.5f);
         ASSERT_TRUE(!sample.valid || sample.wi.z < 0);
     }
 }
@@ -129,11 +130,11 @@ TEST(Dielectric, HasTheReportsHighlight) {
         const double cosine = -double(wi.x) * wo.x - double(wi.y) * wo.y + double(wi.z) * wo.z;
         const double highlight = wi.z > 0 && wo.z > 0 ? std::pow(std::max(0.0, cosine), 10) : 0;
         for (int channel = 0; channel < 3; ++channel)
-            ASSERT_NEAR(glass.eval(wo, wi)[channel], glass.specular[channel] * highlight, 2e-6);
+            ASSERT_NEAR(bsdfOf(glass).eval(wo, wi)[channel], glass.specular[channel] * highlight, 2e-6);
     }
-    EXPECT_EQ(glass.eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), glass.specular);
-    EXPECT_EQ(Dielectric{}.eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), Rgbf(0));
-    EXPECT_EQ(glass.pdfW(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), 0);
+    EXPECT_EQ(bsdfOf(glass).eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), glass.specular);
+    EXPECT_EQ(bsdfOf(Dielectric{}).eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), Rgbf(0));
+    EXPECT_EQ(bsdfOf(glass).pdfW(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), 0);
 }
 
 TEST(Dielectric, AbsorbsByBeersLaw) {
@@ -155,7 +156,7 @@ TEST(Dielectric, IsFiniteForEveryIndex) {
         for (const double cosine : {1.0, 1 - 1e-7, 0.5, 1e-3, 1e-7, 1e-30}) {
             const Vec3f wo = {std::sqrt(1 - cosine * cosine), 0, cosine};
             for (const float u : {0.f, 0.04f, 0.5f, 1 - 0x1p-24f}) {
-                const auto sample = Dielectric{}.sample(wo, BsdfDraw<float>{u, {0.5f, 0.5f}}, n);
+                const auto sample = bsdfOf(Dielectric{}).sample(wo, BsdfDraw<float>{u, {0.5f, 0.5f}}, n);
                 EXPECT_TRUE(sample.valid) << n << " " << cosine << " " << u;
                 EXPECT_NEAR(glm::length(sample.wi), 1, 1e-5) << n << " " << cosine;
                 EXPECT_TRUE(std::isfinite(sample.weight.x) && sample.weight.x >= 0) << n << " " << cosine << " " << u;

@@ -7,16 +7,21 @@
 
 namespace materials {
 
-// By the cosine, as the path integrator does it; a material itself draws them uniformly, as the report.
+// By the cosine, as the path integrator does it; a BSDF itself draws them uniformly, as the report.
+template<class Bsdf, class Real>
+struct BsdfByTheCosine : Bsdf {
+    Real pdfW(const core::Vec3<Real>& wo, const core::Vec3<Real>& wi) const {
+        return Bsdf::template pdfW<core::CosineHemisphere>(wo, wi);
+    }
+    BsdfSample<Real> sample(const core::Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& indexBeyond) const {
+        return Bsdf::template sample<core::CosineHemisphere>(wo, u, indexBeyond);
+    }
+};
 template<class M>
 struct ByTheCosine : M {
-    template<class Real>
-    Real pdfW(const core::Vec3<Real>& wo, const core::Vec3<Real>& wi) const {
-        return M::template pdfW<Real, core::CosineHemisphere>(wo, wi);
-    }
-    template<class Real>
-    BsdfSample<Real> sample(const core::Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& indexBeyond) const {
-        return M::template sample<Real, core::CosineHemisphere>(wo, u, indexBeyond);
+    template<class Real, class Point>
+    BsdfByTheCosine<BsdfOf<M, Real>, Real> at(const Point& point) const {
+        return {M::template at<Real>(point)};
     }
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/frame.h"
+#include "materials/bsdf_of.h"
 #include "materials/dielectric.h"
 #include "materials/directions.h"
 #include "support/histogram.h"
@@ -70,10 +71,11 @@ support::DistributionResult testCone(double degrees, const Vec3f& wo, double str
     const Dielectric glass{.sampling = core::Weights{0, 1, 0, 0}, .perturbation = degrees};
     const double height = 1 - std::cos(degrees * std::numbers::pi / 180);
     const core::Frame<double> frame{glm::dvec3(mirrored(wo))};
+    const auto bsdf = bsdfOf(glass);
     support::SquareHistogram histogram;
     support::TestRandom random(13);
     for (int i = 0; i < 1'000'000; ++i) {
-        const BsdfSample<float> sample = glass.sample(wo, nextDraw(random), 1.5f);
+        const BsdfSample<float> sample = bsdf.sample(wo, nextDraw(random), 1.5f);
         if (!sample.valid) {
             histogram.addMiss();
             continue;

@@ -3,11 +3,11 @@
 
 #include "materials/albedo.h"
 #include "materials/diffuse.h"
+#include "materials/faulty.h"
 
 namespace materials {
 namespace {
 
-using core::Vec3;
 using core::Vec3f;
 
 const Vec3f wo(0.6f, 0, 0.8f);
@@ -22,52 +22,46 @@ TEST(PlantedFault, NoneIsFoundInDiffuse) {
 }
 
 // The weight is that of a uniform pdf, but without its cosine.
-struct DroppedCosine : Diffuse {
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        BsdfSample<Real> sample = Diffuse::sample(wo, u, n);
+struct DroppedCosine : DiffuseBsdf<float> {
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        BsdfSample<float> sample = DiffuseBsdf::sample(wo, u, n);
         sample.weight /= sample.wi.z;
         return sample;
     }
 };
 
 TEST(PlantedFault, ADroppedCosineIsFound) {
-    const DroppedCosine faulty{grey};
+    const Faulty<Diffuse, DroppedCosine> faulty{grey};
     EXPECT_NE(firstSampleFault(faulty, wo), "");
     EXPECT_FALSE(albedoIsAccepted(faulty, wo));
 }
 
 // Directions by the cosine, which pdf and weight know nothing of.
-struct CosineSampler : Diffuse {
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        return Diffuse::sample(wo, BsdfDraw<Real>{u.method, {core::sqrt(u.place.x), u.place.y}}, n);
+struct CosineSampler : DiffuseBsdf<float> {
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        return DiffuseBsdf::sample(wo, BsdfDraw<float>{u.method, {core::sqrt(u.place.x), u.place.y}}, n);
     }
 };
 
 TEST(PlantedFault, AnotherSamplerIsFound) {
-    const CosineSampler faulty{grey};
+    const Faulty<Diffuse, CosineSampler> faulty{grey};
     EXPECT_FALSE(testSampling(faulty, wo).accepted);
     EXPECT_FALSE(albedoIsAccepted(faulty, wo));
 }
 
 // A pdf 2 % too large, everywhere it is used: sample, pdf and weight agree.
-struct LargePdf : Diffuse {
-    template<class Real>
-    Real pdfW(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        return Diffuse::pdfW(wo, wi) * Real(1.02f);
-    }
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        BsdfSample<Real> sample = Diffuse::sample(wo, u, n);
-        sample.pdfW *= Real(1.02f);
-        sample.weight /= Real(1.02f);
+struct LargePdf : DiffuseBsdf<float> {
+    float pdfW(const Vec3f& wo, const Vec3f& wi) const { return DiffuseBsdf::pdfW(wo, wi) * 1.02f; }
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        BsdfSample<float> sample = DiffuseBsdf::sample(wo, u, n);
+        sample.pdfW *= 1.02f;
+        sample.weight /= 1.02f;
         return sample;
     }
 };
 
 TEST(PlantedFault, APdfTwoPerCentTooLargeIsFound) {
-    const LargePdf faulty{grey};
+    const Faulty<Diffuse, LargePdf> faulty{grey};
     EXPECT_EQ(firstSampleFault(faulty, wo), "");
     const support::DistributionResult result = testSampling(faulty, wo);
     EXPECT_FALSE(result.accepted);
@@ -76,90 +70,79 @@ TEST(PlantedFault, APdfTwoPerCentTooLargeIsFound) {
 }
 
 // A pdf of its own, off by 0.02 %.
-struct OtherPdf : Diffuse {
-    template<class Real>
-    Real pdfW(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        return Diffuse::pdfW(wo, wi) * Real(1.0002f);
-    }
+struct OtherPdf : DiffuseBsdf<float> {
+    float pdfW(const Vec3f& wo, const Vec3f& wi) const { return DiffuseBsdf::pdfW(wo, wi) * 1.0002f; }
 };
 
 TEST(PlantedFault, APdfThatSamplesDoNotHaveIsFound) {
-    EXPECT_NE(firstSampleFault(OtherPdf{grey}, wo), "");
+    EXPECT_NE(firstSampleFault(Faulty<Diffuse, OtherPdf>{grey}, wo), "");
 }
 
 // One sample in 2^13 goes through the surface.
-struct Leaking : Diffuse {
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        BsdfSample<Real> sample = Diffuse::sample(wo, u, n);
-        sample.wi.z = core::select(u.place.y < Real(0x1p-13f), -sample.wi.z, sample.wi.z);
+struct Leaking : DiffuseBsdf<float> {
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        BsdfSample<float> sample = DiffuseBsdf::sample(wo, u, n);
+        sample.wi.z = core::select(u.place.y < 0x1p-13f, -sample.wi.z, sample.wi.z);
         return sample;
     }
 };
 
 TEST(PlantedFault, ASampleBelowTheSurfaceIsFound) {
-    const Leaking faulty{grey};
+    const Faulty<Diffuse, Leaking> faulty{grey};
     EXPECT_FALSE(testSampling(faulty, wo).accepted);
     EXPECT_NE(firstSampleFault(faulty, wo), "");
 }
 
 // One draw in 1000 gives no sample, and the pdf does not say so.
-struct Missing : Diffuse {
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        BsdfSample<Real> sample = Diffuse::sample(wo, u, n);
-        sample.valid = sample.valid & (u.place.y >= Real(1e-3f));
+struct Missing : DiffuseBsdf<float> {
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        BsdfSample<float> sample = DiffuseBsdf::sample(wo, u, n);
+        sample.valid = sample.valid & (u.place.y >= 1e-3f);
         return sample;
     }
 };
 
 TEST(PlantedFault, ADrawWithoutASampleThatThePdfDeniesIsFound) {
-    EXPECT_FALSE(testSampling(Missing{grey}, wo).accepted);
+    EXPECT_FALSE(testSampling(Faulty<Diffuse, Missing>{grey}, wo).accepted);
 }
 
 // Depends on where light goes to, by 0.002 % at most.
-struct OneWay : Diffuse {
-    template<class Real>
-    core::Rgb<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        return Diffuse::eval(wo, wi) * (Real(1) + wo.z * Real(2e-5f));
-    }
+struct OneWay : DiffuseBsdf<float> {
+    core::Rgbf eval(const Vec3f& wo, const Vec3f& wi) const { return DiffuseBsdf::eval(wo, wi) * (1 + wo.z * 2e-5f); }
 };
 
 TEST(PlantedFault, WhatIsNotReciprocalIsFound) {
-    EXPECT_NE(firstReciprocityFault(OneWay{grey}), "");
+    EXPECT_NE(firstReciprocityFault(Faulty<Diffuse, OneWay>{grey}), "");
 }
 
 // Draws half the directions that it reflects to, as its pdf says.
-struct HalfSampled : Diffuse {
-    template<class Real>
-    Real pdfW(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        return core::select(wi.x > Real(0), Diffuse::pdfW(wo, wi), Real(0));
+struct HalfSampled : DiffuseBsdf<float> {
+    float pdfW(const Vec3f& wo, const Vec3f& wi) const {
+        return core::select(wi.x > 0, DiffuseBsdf::pdfW(wo, wi), 0.f);
     }
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        BsdfSample<Real> sample = Diffuse::sample(wo, u, n);
-        sample.valid = sample.valid & (sample.wi.x > Real(0));
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        BsdfSample<float> sample = DiffuseBsdf::sample(wo, u, n);
+        sample.valid = sample.valid & (sample.wi.x > 0);
         return sample;
     }
 };
 
 TEST(PlantedFault, LightThatNoSampleFindsIsFound) {
-    const HalfSampled faulty{grey};
+    const Faulty<Diffuse, HalfSampled> faulty{grey};
     EXPECT_EQ(firstSampleFault(faulty, wo), "");
     EXPECT_TRUE(testSampling(faulty, wo).accepted);
     EXPECT_FALSE(albedoIsAccepted(faulty, wo));
 }
 
 // Reflects light from below the surface.
-struct Transparent : Diffuse {
-    template<class Real>
-    core::Rgb<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        return Diffuse::eval(wo, Vec3<Real>(wi.x, wi.y, core::abs(wi.z)));
+struct Transparent : DiffuseBsdf<float> {
+    core::Rgbf eval(const Vec3f& wo, const Vec3f& wi) const {
+        return DiffuseBsdf::eval(wo, Vec3f(wi.x, wi.y, core::abs(wi.z)));
     }
 };
 
 TEST(PlantedFault, LightThroughTheSurfaceIsFound) {
-    EXPECT_NE(firstFaultBelow(Transparent{grey}), "");
+    EXPECT_NE(firstFaultBelow(Faulty<Diffuse, Transparent>{grey}), "");
 }
 
 // Without its factor 1 / pi.

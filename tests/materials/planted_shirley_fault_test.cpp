@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "materials/albedo.h"
+#include "materials/faulty.h"
 #include "materials/shirley_paper.h"
 
 namespace materials {
 namespace {
 
-using core::Rgb;
 using core::Rgbf;
-using core::Vec3;
 using core::Vec3f;
 
 const Vec3f wo(0.6f, 0.3f, std::sqrt(0.55f));
@@ -28,34 +27,33 @@ TEST(PlantedShirleyFault, NoneIsFoundInShirley) {
 }
 
 // The highlight is R_s from every direction: Shirley's own at R_s = 1 is free of Fresnel.
-struct WithoutFresnel : Shirley {
-    template<class Real>
-    Rgb<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        const Shirley highlight{.diffuse = Rgbf(0), .specular = specular, .exponents = exponents};
-        const Shirley mirror{.diffuse = Rgbf(0), .specular = Rgbf(1), .exponents = exponents};
-        const Rgb<Real> base = Shirley::eval(wo, wi) - highlight.eval(wo, wi);
-        return base + mirror.eval(wo, wi) * core::broadcast<Real>(specular);
+struct WithoutFresnel : ShirleyBsdf<float> {
+    Rgbf eval(const Vec3f& wo, const Vec3f& wi) const {
+        ShirleyBsdf highlight = *this, mirror = *this;
+        highlight.diffuse = mirror.diffuse = Rgbf(0);
+        mirror.specular = Rgbf(1);
+        const Rgbf base = ShirleyBsdf::eval(wo, wi) - highlight.eval(wo, wi);
+        return base + mirror.eval(wo, wi) * specular;
     }
 };
 
 TEST(PlantedShirleyFault, ADroppedFresnelTermIsFound) {
-    const WithoutFresnel faulty{brushed};
+    const Faulty<Shirley, WithoutFresnel> faulty{brushed};
     EXPECT_NE(firstPaperFault(faulty), "");
     const Vec3f flat = outgoingDirections()[2];
     EXPECT_LT(albedo(faulty, flat, mean), albedo(brushed, flat, mean) - 0.05);
 }
 
 // The half vector's density for the direction's own.
-struct WithoutJacobian : Shirley {
-    template<class Real>
-    Real pdfW(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        const Vec3<Real> sum = wo + wi;
-        return Shirley::pdfW(wo, wi) * Real(2) * core::sqrt(glm::dot(sum, sum));
+struct WithoutJacobian : ShirleyBsdf<float> {
+    float pdfW(const Vec3f& wo, const Vec3f& wi) const {
+        const Vec3f sum = wo + wi;
+        return ShirleyBsdf::pdfW(wo, wi) * 2 * core::sqrt(glm::dot(sum, sum));
     }
 };
 
 TEST(PlantedShirleyFault, AMissingJacobianIsFound) {
-    const WithoutJacobian faulty{onlyHighlight};
+    const Faulty<Shirley, WithoutJacobian> faulty{onlyHighlight};
     EXPECT_NE(firstSampleFault(faulty, wo), "");
     const auto result = testSampling(faulty, wo);
     EXPECT_FALSE(result.accepted);
@@ -63,17 +61,15 @@ TEST(PlantedShirleyFault, AMissingJacobianIsFound) {
 }
 
 // 2 % too large in the highlight's part of the mixture alone, in samples, weights and pdf.
-struct LargeLobe : Shirley {
-    template<class Real>
-    Real pdfW(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        Shirley lobe = *this;
+struct LargeLobe : ShirleyBsdf<float> {
+    float pdfW(const Vec3f& wo, const Vec3f& wi) const {
+        ShirleyBsdf lobe = *this;
         lobe.sampling = core::Weights{0, 0, 0, 1};
-        return Shirley::pdfW(wo, wi) + lobe.pdfW(wo, wi) * Real((*sampling)[3] * 0.02f);
+        return ShirleyBsdf::pdfW(wo, wi) + lobe.pdfW(wo, wi) * ((*sampling)[3] * 0.02f);
     }
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        BsdfSample<Real> sample = Shirley::sample(wo, u, n);
-        const Real right = sample.pdfW;
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        BsdfSample<float> sample = ShirleyBsdf::sample(wo, u, n);
+        const float right = sample.pdfW;
         sample.pdfW = pdfW(wo, sample.wi);
         sample.weight *= right / sample.pdfW;
         return sample;
@@ -81,7 +77,7 @@ struct LargeLobe : Shirley {
 };
 
 TEST(PlantedShirleyFault, APdfTwoPerCentTooLargeInOneLobeIsFound) {
-    LargeLobe faulty{brushed};
+    Faulty<Shirley, LargeLobe> faulty{brushed};
     faulty.sampling = core::Weights{0.5f, 0, 0, 0.5f};
     EXPECT_EQ(firstSampleFault(faulty, wo), "");
     const auto result = testSampling(faulty, wo);
@@ -90,62 +86,59 @@ TEST(PlantedShirleyFault, APdfTwoPerCentTooLargeInOneLobeIsFound) {
 }
 
 // Half vectors as if nu were nv.
-struct SwappedSampler : Shirley {
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        Shirley swapped = *this;
-        swapped.exponents = {exponents.y, exponents.x};
-        BsdfSample<Real> sample = swapped.sample(wo, u, n);
-        sample.pdfW = Shirley::pdfW(wo, sample.wi);
-        sample.weight = Shirley::eval(wo, sample.wi) / sample.pdfW;
+struct SwappedSampler : ShirleyBsdf<float> {
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        ShirleyBsdf swapped = *this;
+        swapped.halfVector = {halfVector.nv, halfVector.nu};
+        BsdfSample<float> sample = swapped.sample(wo, u, n);
+        sample.pdfW = ShirleyBsdf::pdfW(wo, sample.wi);
+        sample.weight = ShirleyBsdf::eval(wo, sample.wi) / sample.pdfW;
         return sample;
     }
 };
 
 TEST(PlantedShirleyFault, ASamplerOfTheOtherAxisIsFound) {
-    const SwappedSampler faulty{onlyHighlight};
+    const Faulty<Shirley, SwappedSampler> faulty{onlyHighlight};
     EXPECT_FALSE(testSampling(faulty, wo).accepted);
     EXPECT_FALSE(albedoIsAccepted(faulty, wo));
 }
 
 // The exponents' mean for their mixture by the half vector's longitude.
-struct MeanExponent : Shirley {
-    template<class Real>
-    Rgb<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        Shirley round = *this;
-        round.exponents = core::Vec2f((exponents.x + exponents.y) / 2);
+struct MeanExponent : ShirleyBsdf<float> {
+    Rgbf eval(const Vec3f& wo, const Vec3f& wi) const {
+        ShirleyBsdf round = *this;
+        const float mean = (halfVector.nu + halfVector.nv) / 2;
+        round.halfVector = {mean, mean};
         return round.eval(wo, wi);
     }
 };
 
 TEST(PlantedShirleyFault, AWrongCombinationOfExponentsIsFound) {
-    EXPECT_NE(firstPaperFault(MeanExponent{brushed}), "");
-    EXPECT_NE(firstSampleFault(MeanExponent{brushed}, wo), "");
+    EXPECT_NE(firstPaperFault(Faulty<Shirley, MeanExponent>{brushed}), "");
+    EXPECT_NE(firstSampleFault(Faulty<Shirley, MeanExponent>{brushed}, wo), "");
 }
 
 // The cosine of wo alone for the larger of both, which makes the model reciprocal.
-struct OneCosine : Shirley {
-    template<class Real>
-    Rgb<Real> eval(const Vec3<Real>& wo, const Vec3<Real>& wi) const {
-        return Shirley::eval(wo, wi) * (core::max(wo.z, wi.z) / wo.z);
+struct OneCosine : ShirleyBsdf<float> {
+    Rgbf eval(const Vec3f& wo, const Vec3f& wi) const {
+        return ShirleyBsdf::eval(wo, wi) * (core::max(wo.z, wi.z) / wo.z);
     }
 };
 
 TEST(PlantedShirleyFault, ADenominatorThatIsNotReciprocalIsFound) {
-    EXPECT_NE(firstReciprocityFault(OneCosine{onlyHighlight}), "");
-    EXPECT_NE(firstPaperFault(OneCosine{onlyHighlight}), "");
+    EXPECT_NE(firstReciprocityFault(Faulty<Shirley, OneCosine>{onlyHighlight}), "");
+    EXPECT_NE(firstPaperFault(Faulty<Shirley, OneCosine>{onlyHighlight}), "");
 }
 
 // A cone of the perturbed reflection 2 % smaller than the one of the pdf.
-struct NarrowCone : Shirley {
-    template<class Real>
-    BsdfSample<Real> sample(const Vec3<Real>& wo, const BsdfDraw<Real>& u, const Real& n) const {
-        return Shirley::sample(wo, BsdfDraw<Real>{u.method, {u.place.x * Real(0.98f), u.place.y}}, n);
+struct NarrowCone : ShirleyBsdf<float> {
+    BsdfSample<float> sample(const Vec3f& wo, const BsdfDraw<float>& u, const float& n) const {
+        return ShirleyBsdf::sample(wo, BsdfDraw<float>{u.method, {u.place.x * 0.98f, u.place.y}}, n);
     }
 };
 
 TEST(PlantedShirleyFault, AConeTwoPerCentTooSmallIsFound) {
-    NarrowCone faulty{brushed};
+    Faulty<Shirley, NarrowCone> faulty{brushed};
     faulty.sampling = core::Weights{0, 1, 0, 0};
     EXPECT_FALSE(testSampling(faulty, wo).accepted);
 }

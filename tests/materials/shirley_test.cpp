@@ -71,7 +71,7 @@ TEST(Shirley, HasOneMeanWeightWhateverTheMixture) {
 TEST(Shirley, IsNarrowAlongTheAxisOfTheLargerExponent) {
     const Shirley brushed{.diffuse = Rgbf(0), .specular = Rgbf(1), .exponents = {10000, 10}};
     const Vec3f wo(0, 0, 1), alongX(0.1f, 0, std::sqrt(0.99f)), alongY(0, 0.1f, std::sqrt(0.99f));
-    EXPECT_GT(brushed.eval(wo, alongY).x, 1e5f * brushed.eval(wo, alongX).x);
+    EXPECT_GT(bsdfOf(brushed).eval(wo, alongY).x, 1e5f * bsdfOf(brushed).eval(wo, alongX).x);
     support::TestRandom random(8);
     support::RunningMean x2, y2;
     for (int i = 0; i < 10'000; ++i) {
@@ -106,8 +106,8 @@ TEST(Shirley, IsFiniteAtTheExtremes) {
             Shirley material{.diffuse = colour, .specular = colour, .exponents = exponent};
             for (const Vec3f& wo : extremeDirections()) {
                 for (const Vec3f& wi : extremeDirections()) {
-                    EXPECT_TRUE(isSound(material.eval(wo, wi))) << text(wo) << text(wi);
-                    const float pdf = material.pdfW(wo, wi);
+                    EXPECT_TRUE(isSound(bsdfOf(material).eval(wo, wi))) << text(wo) << text(wi);
+                    const float pdf = bsdfOf(material).pdfW(wo, wi);
                     EXPECT_TRUE(std::isfinite(pdf) && pdf >= 0) << text(wo) << text(wi) << " " << pdf;
                 }
                 for (const auto& sampling :
@@ -117,7 +117,7 @@ TEST(Shirley, IsFiniteAtTheExtremes) {
                     for (const float method : numbers)
                         for (const float u : numbers)
                             for (const float v : numbers) {
-                                const auto sample = material.sample(wo, BsdfDraw<float>{method, {u, v}}, 1.f);
+                                const auto sample = bsdfOf(material).sample(wo, BsdfDraw<float>{method, {u, v}}, 1.f);
                                 EXPECT_TRUE(!sample.valid || (isSound(sample.weight) && std::isfinite(sample.pdfW)))
                                     << "wo " << text(wo) << " wi " << text(sample.wi) << " " << text(sample.weight);
                             }
@@ -132,7 +132,7 @@ TEST(Shirley, IsFiniteAtTheExtremes) {
 TEST(Shirley, MayBeBlack) {
     const Shirley black{.diffuse = Rgbf(0), .specular = Rgbf(0)};
     const Vec3f wo(0.6f, 0, 0.8f);
-    EXPECT_EQ(black.eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), Rgbf(0));
+    EXPECT_EQ(bsdfOf(black).eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), Rgbf(0));
     EXPECT_EQ(firstSampleFault(black, wo), "");
 }
 
@@ -140,7 +140,7 @@ TEST(Shirley, IsLitWhateverTheMethod) {
     const Shirley mixed{.sampling = core::Weights{0.25f, 0.5f, 0, 0.25f}};
     const Vec3f wo(0.6f, 0, 0.8f);
     for (const float method : {0.1f, 0.5f, 0.9f}) {
-        const BsdfSample<float> sample = mixed.sample(wo, BsdfDraw<float>{method, {0.5f, 0.5f}}, 1.f);
+        const BsdfSample<float> sample = bsdfOf(mixed).sample(wo, BsdfDraw<float>{method, {0.5f, 0.5f}}, 1.f);
         EXPECT_TRUE(sample.valid && sample.isLit && !sample.isDelta) << method;
         EXPECT_EQ(sample.isDiffuse, method < 0.25f) << method;
     }
