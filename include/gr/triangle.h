@@ -48,10 +48,9 @@ struct UniformAxes {
 
     explicit UniformAxes(const core::Vec3f& direction) {
         const core::Vec3f size = glm::abs(direction);
-        z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        x = (z + 1) % 3;
-        y = (z + 2) % 3;
+        *this = UniformAxes(size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2);
     }
+    explicit UniformAxes(int last) : x(last == 2 ? 0 : last + 1), y(last == 0 ? 2 : last - 1), z(last) {}
     template<class Real>
     core::Vec3<Real> permute(const core::Vec3<Real>& v) const {
         return {v[x], v[y], v[z]};
@@ -99,6 +98,10 @@ struct TriangleRay {
         slopeX = d.x * scale;
         slopeY = d.y * scale;
     }
+
+    TriangleRay(const Axes& axes, const core::Vec3<Real>& origin, const Real& slopeX, const Real& slopeY,
+                const Real& scale, const Real& tMax)
+        : axes(axes), origin(origin), slopeX(slopeX), slopeY(slopeY), scale(scale), tMax(tMax) {}
 
     // The same ray in every lane.
     template<class One>

@@ -110,6 +110,17 @@ void TreeAccelerator::fill(ShapePack<S, core::AffineMap>& pack) const {
     for (std::uint32_t i = 0; i < treeWidth; ++i) pack.set(static_cast<int>(i), placeOf(pack, i).objectFromWorld());
 }
 
+const MeshPack* TreeAccelerator::onlyMesh() const {
+    const TreeReference root = objects_->root();
+    const MeshPack* mesh = nullptr;
+    if (root.isLeaf() && root.address() != nullptr)
+        visitPack(*static_cast<const ObjectPack*>(root.address()), [&]<class Pack>(const Pack& pack) {
+            if constexpr (std::is_same_v<Pack, MeshPack>) mesh = &pack;
+            return true;
+        });
+    return mesh;
+}
+
 const Placement& TreeAccelerator::placeOf(const ObjectPack& pack, std::uint32_t i) const {
     return scene_.instances[pack.instance[i]].place;
 }
