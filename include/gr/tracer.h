@@ -1,7 +1,7 @@
 // What the rays of many paths meet, for all lanes at once.
 #pragma once
 
-#include "gr/accelerators/tree_tracer.h"
+#include "gr/accelerators/lane_rays.h"
 #include "gr/all_tracer.h"
 #include "gr/body_surface.h"
 #include "gr/face_tracer.h"
@@ -21,6 +21,7 @@ public:
         : scene_(scene),
           accelerator_(accelerator),
           tree_(accelerator.tree()),
+          onlyMesh_(tree_ != nullptr ? tree_->onlyMesh() : nullptr),
           wantsCoordinates_(wantsCoordinates),
           faces_(scene.faces),
           bodies_(scene, scene.large) {
@@ -76,94 +77,68 @@ private:
     bool asksAccelerator() const { return !accelerator_.testsAll() && !scene_.bodies.empty(); }
     std::uint64_t testsEach() const { return scene_.faces.size() + bodies_.count; }
 
-    // The lanes of a ray, to be asked one by one, made ready for the tree.
-    struct RayArray {
-        using Array = core::LaneArray<Real>;
-        Array origin[3], direction[3], inverse[3], near[3], far[3];
+    // For what is no tree.
+    struct OtherRays {
+        const Accelerator& accelerator;
+        LaneRays<Real> rays;
+        std::uint32_t asked;
 
-        explicit RayArray(const core::Ray<Real>& ray)
-            : origin{Array(ray.origin.x), Array(ray.origin.y), Array(ray.origin.z)},
-              direction{Array(ray.direction.x), Array(ray.direction.y), Array(ray.direction.z)} {}
-        core::Rayf at(int lane, float tMax) const {
-            return {{origin[0][lane], origin[1][lane], origin[2][lane]},
-                    {direction[0][lane], direction[1][lane], direction[2][lane]},
-                    tMax};
+        std::uint32_t lanes() const { return asked; }
+        void nearest(int lane, Hit& found, TraversalCounts& counts) const {
+            // What is just as near as what the lanes have found must be found, too: it may have been made first.
+            const float end = std::nextafter(found.t, core::infinity);
+            const std::optional<Hit> body = accelerator.intersect(rays.at(lane, end), counts);
+            if (body && body->isBefore(found)) found = *body;
         }
-        BoxRay<TreeLanes> boxRay(int lane) const {
-            BoxRay<TreeLanes> ray;
-            for (int axis = 0; axis < 3; ++axis) ray.set(axis, inverse[axis][lane], near[axis][lane], far[axis][lane]);
-            return ray;
+        bool occluded(int lane, float end, TraversalCounts& counts) const {
+            return accelerator.occluded(rays.at(lane, end), counts);
         }
     };
 
+    // Calls f(rays) with the rays made ready for what the accelerator is. end: how far each goes.
+    template<class F>
+    auto withRays(const core::Ray<Real>& ray, const Mask& asked, const Real& end, F&& f) const {
+        if (onlyMesh_ != nullptr) return f(LaneMeshRays<Real>(*onlyMesh_, ray, asked, end));
+        if (tree_ != nullptr) return f(LaneTreeRays<Real>(*tree_, ray, asked, end));
+        return f(OtherRays{accelerator_, LaneRays<Real>(ray), core::bitsOf(asked & (end > Real(0)))});
+    }
+
     void nearestOneByOne(const core::Ray<Real>& ray, const Mask& alive, HitOf<Real>& hit,
                          TraversalCounts& counts) const {
-        RayArray rays(ray);
-        const std::uint32_t asked = core::bitsOf(alive & mayMeet(ray, hit.t, rays));
-        if (asked == 0) return;
-        core::LaneArray<Real> t(hit.t), b1(hit.b1), b2(hit.b2);
-        std::uint32_t instance[core::laneCount<Real>], triangle[core::laneCount<Real>];
-        core::storeUInt<Real>(hit.instance, instance);
-        core::storeUInt<Real>(hit.triangle, triangle);
-        core::forEachLane(asked, [&](int lane) {
-            Hit found{t[lane], instance[lane], triangle[lane], b1[lane], b2[lane]};
-            if (tree_ != nullptr) {
-                TreeTracer<TreeLanes>(*tree_, counts).nearest(rays.at(lane, core::infinity), rays.boxRay(lane), found);
-            } else {
-                // What is just as near as what the lanes have found must be found, too: it may have been made first.
-                const float end = std::nextafter(found.t, core::infinity);
-                const std::optional<Hit> body = accelerator_.intersect(rays.at(lane, end), counts);
-                if (body && body->isBefore(found)) found = *body;
-            }
-            t[lane] = found.t;
-            b1[lane] = found.b1;
-            b2[lane] = found.b2;
-            instance[lane] = found.instance;
-            triangle[lane] = found.triangle;
+        withRays(ray, alive, hit.t, [&](const auto& rays) {
+            if (rays.lanes() == 0) return;
+            core::LaneArray<Real> t(hit.t), b1(hit.b1), b2(hit.b2);
+            std::uint32_t instance[core::laneCount<Real>], triangle[core::laneCount<Real>];
+            core::storeUInt<Real>(hit.instance, instance);
+            core::storeUInt<Real>(hit.triangle, triangle);
+            core::forEachLane(rays.lanes(), [&](int lane) {
+                Hit found{t[lane], instance[lane], triangle[lane], b1[lane], b2[lane]};
+                rays.nearest(lane, found, counts);
+                t[lane] = found.t;
+                b1[lane] = found.b1;
+                b2[lane] = found.b2;
+                instance[lane] = found.instance;
+                triangle[lane] = found.triangle;
+            });
+            hit = {t.real(), core::loadUInt<Real>(instance), core::loadUInt<Real>(triangle), b1.real(), b2.real()};
         });
-        hit = {t.real(), core::loadUInt<Real>(instance), core::loadUInt<Real>(triangle), b1.real(), b2.real()};
     }
 
     Mask occludedOneByOne(const core::Ray<Real>& ray, const Mask& asked, TraversalCounts& counts) const {
-        RayArray rays(ray);
-        const std::uint32_t rest = core::bitsOf(asked & mayMeet(ray, ray.tMax, rays));
-        if (rest == 0) return Real(0) > Real(0);
-        const core::LaneArray<Real> tMax(ray.tMax);
-        std::uint32_t met = 0;
-        core::forEachLane(rest, [&](int lane) {
-            const core::Rayf one = rays.at(lane, tMax[lane]);
-            const bool isMet = tree_ != nullptr ? TreeTracer<TreeLanes>(*tree_, counts).occluded(one, rays.boxRay(lane))
-                                                : accelerator_.occluded(one, counts);
-            met |= std::uint32_t{isMet} << lane;
+        return withRays(ray, asked, ray.tMax, [&](const auto& rays) -> Mask {
+            if (rays.lanes() == 0) return Real(0) > Real(0);
+            const core::LaneArray<Real> end(ray.tMax);
+            std::uint32_t met = 0;
+            core::forEachLane(rays.lanes(),
+                              [&](int lane) { met |= std::uint32_t{rays.occluded(lane, end[lane], counts)} << lane; });
+            return core::maskOf<Real>(met);
         });
-        return core::maskOf<Real>(met);
-    }
-
-    // Whether rays come near the box round all of the tree's objects before `end`; they are made ready for its boxes.
-    Mask mayMeet(const core::Ray<Real>& ray, const Real& end, RayArray& rays) const {
-        if (tree_ == nullptr) return end > Real(0);
-        const WideTree& tree = tree_->objects();
-        const Real slack = tree.slack(core::largestComponent(ray.origin));
-        constexpr float most = std::numeric_limits<float>::max();
-        Real enter(0), leave = end;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Real inverse = core::min(core::max(Real(1) / ray.direction[axis], Real(-most)), Real(most));
-            const Mask isBackwards = inverse < Real(0);
-            const Real outwards = core::select(isBackwards, -slack, slack);
-            const Real near = (ray.origin[axis] + outwards) * inverse, far = (ray.origin[axis] - outwards) * inverse;
-            const Real low(tree.bounds().low[axis]), high(tree.bounds().high[axis]);
-            enter = core::max(Real(core::select(isBackwards, high, low) * inverse - near), enter);
-            leave = core::min(Real(core::select(isBackwards, low, high) * inverse - far), leave);
-            rays.inverse[axis] = core::LaneArray<Real>(inverse);
-            rays.near[axis] = core::LaneArray<Real>(near);
-            rays.far[axis] = core::LaneArray<Real>(far);
-        }
-        return enter <= leave;
     }
 
     const Scene& scene_;
     const Accelerator& accelerator_;
     const TreeAccelerator* tree_;
+    const MeshPack* onlyMesh_;  // of the tree, or null
     bool wantsCoordinates_;
     FaceTracer<Real> faces_;
     InstancesByShape bodies_;  // that lanes test by themselves

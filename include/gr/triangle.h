@@ -36,6 +36,41 @@ Real differenceOfProducts(Real a, Real b, Real c, Real d) {
     return (ab - cd) + (lostFrom(ab, a, b) - lostFrom(cd, c, d));
 }
 
+#ifdef __FMA__
+// a * b - c, rounded once. xsimd rounds twice where it takes lanes for those of an older processor.
+template<class Lanes>
+Lanes fusedDifference(const Lanes& a, const Lanes& b, const Lanes& c) {
+    constexpr int lanes = core::laneCount<Lanes>;
+    static_assert(lanes == 4 || lanes == 8 || lanes == 16);
+#ifdef __AVX512F__
+    if constexpr (lanes == 16) return _mm512_fmsub_ps(a.data, b.data, c.data);
+#endif
+    if constexpr (lanes == 8) return _mm256_fmsub_ps(a.data, b.data, c.data);
+    if constexpr (lanes == 4) return _mm_fmsub_ps(a.data, b.data, c.data);
+}
+
+// The same bits as differenceOfProducts has, in far less time, where mayBeFused says so: both ways tell what a product
+// loses without error, and nothing as +0.
+template<class Lanes>
+Lanes fusedDifferenceOfProducts(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
+    const Lanes ab = a * b, cd = c * d;
+    return (ab - cd) + (fusedDifference(a, b, ab) - fusedDifference(c, d, cd));
+}
+// Whether all numbers are so large that what their products lose, of which the last digit is worth no less than the
+// product of theirs, 2^-148, is a number of single precision; and so small that Dekker's halves do not overflow.
+template<class Lanes>
+bool mayBeFused(const core::Vec2<Lanes>& a, const core::Vec2<Lanes>& b, const core::Vec2<Lanes>& c) {
+    const Lanes size[] = {core::abs(a.x), core::abs(a.y), core::abs(b.x),
+                          core::abs(b.y), core::abs(c.x), core::abs(c.y)};
+    Lanes least = size[0], most = size[0];
+    for (int i = 1; i < 6; ++i) {
+        least = xsimd::min(least, size[i]);
+        most = xsimd::max(most, size[i]);
+    }
+    return core::all((least >= Lanes(0x1p-51f)) & (most <= Lanes(0x1p60f)));
+}
+#endif
+
 template<class Real>
 struct TriangleHit {
     Real t;  // infinity where the ray misses
@@ -48,10 +83,9 @@ struct UniformAxes {
 
     explicit UniformAxes(const core::Vec3f& direction) {
         const core::Vec3f size = glm::abs(direction);
-        z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        x = (z + 1) % 3;
-        y = (z + 2) % 3;
+        *this = UniformAxes(size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2);
     }
+    explicit UniformAxes(int last) : x(last == 2 ? 0 : last + 1), y(last == 0 ? 2 : last - 1), z(last) {}
     template<class Real>
     core::Vec3<Real> permute(const core::Vec3<Real>& v) const {
         return {v[x], v[y], v[z]};
@@ -100,6 +134,10 @@ struct TriangleRay {
         slopeY = d.y * scale;
     }
 
+    TriangleRay(const Axes& axes, const core::Vec3<Real>& origin, const Real& slopeX, const Real& slopeY,
+                const Real& scale, const Real& tMax)
+        : axes(axes), origin(origin), slopeX(slopeX), slopeY(slopeY), scale(scale), tMax(tMax) {}
+
     // The same ray in every lane.
     template<class One>
     requires(std::is_same_v<One, float> &&
@@ -125,6 +163,13 @@ struct TriangleRay {
     TriangleCrossing<Real> exactCross(const core::Vec3<Real>& v0, const core::Vec3<Real>& v1,
                                       const core::Vec3<Real>& v2) const {
         const core::Vec2<Real> a = sheared(v0), b = sheared(v1), c = sheared(v2);
+#ifdef __FMA__
+        if constexpr (!std::is_same_v<Real, float>)
+            if (mayBeFused(a, b, c))
+                return crossingOf(fusedDifferenceOfProducts(c.x, b.y, c.y, b.x),
+                                  fusedDifferenceOfProducts(a.x, c.y, a.y, c.x),
+                                  fusedDifferenceOfProducts(b.x, a.y, b.y, a.x));
+#endif
         return crossingOf(differenceOfProducts(c.x, b.y, c.y, b.x), differenceOfProducts(a.x, c.y, a.y, c.x),
                           differenceOfProducts(b.x, a.y, b.y, a.x));
     }

@@ -104,7 +104,11 @@ void traceScene(benchmark::State& state, const char* name, int n) {
 }
 
 void traceNative(benchmark::State& state) {
-    const bench::NativeMesh mesh(*sceneOf(0).polyhedra[0]);
+    const gr::Polyhedron& polyhedron = *sceneOf(0).polyhedra[0];
+    std::vector<bench::Triangle> triangles;
+    for (std::uint32_t i = 0; i < polyhedron.triangleCount(); ++i)
+        triangles.push_back({polyhedron.vertex(i, 0), polyhedron.vertex(i, 1), polyhedron.vertex(i, 2)});
+    const bench::NativeTriangles mesh(triangles);
     const std::vector<core::Rayf> rays = cameraRays();
     int count = 0;
     for (auto _ : state)

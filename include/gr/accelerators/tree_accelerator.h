@@ -25,6 +25,8 @@ public:
 
     const Scene& scene() const { return scene_; }
     const WideTree& objects() const { return *objects_; }
+    // The mesh that is all there is, or null.
+    const MeshPack* onlyMesh() const;
 
 private:
     void addMesh(const Polyhedron& mesh, int threads);

@@ -2,9 +2,8 @@
 // triangles or shapes that it is tested against at once.
 #pragma once
 
-#include "gr/accelerators/object_pack.h"
+#include "gr/accelerators/mesh_tracer.h"
 #include "gr/accelerators/tree_accelerator.h"
-#include "gr/accelerators/wide_tree_walk.h"
 
 namespace gr {
 
@@ -22,7 +21,7 @@ public:
     void nearest(const core::Rayf& ray, const BoxRay<Lanes>& boxRay, Hit& nearest) const {
         forEachPack(boxRay, nearest.t, [&](const auto& pack) {
             if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
-                nearestInMesh(ray, pack, nearest);
+                MeshTracer<Lanes>(pack, counts_).nearest(meshRay(ray, pack), nearest);
             else
                 nearestOf(everywhere(ray), pack, nearest);
             return false;
@@ -32,7 +31,7 @@ public:
     bool occluded(const core::Rayf& ray, const BoxRay<Lanes>& boxRay) const {
         return forEachPack(boxRay, ray.tMax, [&](const auto& pack) {
             if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
-                return isMeshMet(ray, pack);
+                return MeshTracer<Lanes>(pack, counts_).occluded(meshRay(ray, pack), ray.tMax);
             else
                 return isAnyMet(everywhere(ray), pack);
         });
@@ -40,7 +39,6 @@ public:
 
 private:
     static constexpr int width = static_cast<int>(Lanes::size);
-    using MeshRay = TriangleRay<Lanes, UniformAxes>;
 
     static core::Ray<Lanes> everywhere(const core::Rayf& ray) {
         return {core::broadcast<Lanes>(ray.origin), core::broadcast<Lanes>(ray.direction), Lanes(ray.tMax)};
@@ -52,6 +50,11 @@ private:
         return {ray, tree.slack(core::max(core::max(origin[0], origin[1]), origin[2]))};
     }
 
+    static MeshRay<Lanes> meshRay(const core::Rayf& worldRay, const MeshPack& mesh) {
+        const core::Rayf ray = mesh.place.toObject(worldRay);
+        return {boxRay(*mesh.tree, ReadyRay(ray)), TriangleRay<Lanes, UniformAxes>(TriangleRay<float>(ray))};
+    }
+
     // Calls visit(pack) for the packs near the ray, until it returns true; returns whether it did.
     template<class Visit>
     bool forEachPack(const BoxRay<Lanes>& ray, const float& nearest, Visit&& visit) const {
@@ -61,15 +64,6 @@ private:
             return visitPack(pack, visit);
         };
         return walkTree(objects_.root(), ray, nearest, visitLeaf);
-    }
-
-    // Calls offer(hit) for those of the hits that may come before the nearest.
-    template<class Offer>
-    static void forEachNear(const Lanes& found, const float& nearest, Offer&& offer) {
-        const std::uint32_t near = core::bitsOf(found <= Lanes(nearest));
-        if (near == 0) return;
-        const core::LaneArray<Lanes> t(found);
-        core::forEachLane(near, [&](int lane) { offer(lane, t[lane]); });
     }
 
     template<class Pack>
@@ -85,43 +79,6 @@ private:
         for (int first = 0; first < static_cast<int>(pack.count); first += width)
             if (core::any(pack.template intersect<Lanes>(ray, first) < Lanes(core::infinity))) return true;
         return false;
-    }
-
-    void nearestInMesh(const core::Rayf& worldRay, const MeshPack& pack, Hit& nearest) const {
-        const core::Rayf objectRay = pack.place.toObject(worldRay);
-        const ReadyRay ray(objectRay);
-        const MeshRay meshRay{TriangleRay<float>(objectRay)};
-        walkTree(pack.tree->root(), boxRay(*pack.tree, ray), nearest.t, [&](const void* at) {
-            const auto& leaf = *static_cast<const TriangleLeaf*>(at);
-            counts_.tests += treeWidth;
-            for (int first = 0; first < treeWidth; first += width)
-                leaf.triangles.intersect(meshRay, first, [&](const TriangleHit<Lanes>& found) {
-                    forEachNear(found.t, nearest.t, [&](int lane, float t) {
-                        const core::LaneArray<Lanes> b1(found.b1), b2(found.b2);
-                        const Hit hit{t, pack.instance[0], leaf.triangle[first + lane], b1[lane], b2[lane]};
-                        if (t < core::infinity && hit.isBefore(nearest)) nearest = hit;
-                    });
-                });
-            return false;
-        });
-    }
-    bool isMeshMet(const core::Rayf& worldRay, const MeshPack& pack) const {
-        const core::Rayf objectRay = pack.place.toObject(worldRay);
-        const ReadyRay ray(objectRay);
-        const MeshRay meshRay{TriangleRay<float>(objectRay)};
-        return walkTree(pack.tree->root(), boxRay(*pack.tree, ray), objectRay.tMax, [&](const void* at) {
-            counts_.tests += treeWidth;
-            return isLeafMet(meshRay, *static_cast<const TriangleLeaf*>(at));
-        });
-    }
-
-    static bool isLeafMet(const MeshRay& ray, const TriangleLeaf& leaf) {
-        bool isMet = false;
-        for (int first = 0; first < treeWidth && !isMet; first += width)
-            leaf.triangles.intersect(ray, first, [&](const TriangleHit<Lanes>& found) {
-                isMet = core::any(found.t < Lanes(core::infinity));
-            });
-        return isMet;
     }
 
     const Scene& scene_;

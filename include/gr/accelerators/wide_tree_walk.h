@@ -84,6 +84,13 @@ private:
     Lanes inverse_[3], near_[3], far_[3];
 };
 
+// Asks the memory for a child before it is looked at. Inlined, since GCC takes a call that only does this for one that
+// does nothing.
+[[gnu::always_inline]] inline void prefetch(TreeReference child) {
+    for (std::size_t line = 0; line < 320; line += 64)
+        __builtin_prefetch(static_cast<const char*>(child.address()) + line);
+}
+
 // Calls visit(leaf) for the leaves whose boxes the ray meets, near ones first, until it returns true or nothing at most
 // as far as `nearest`, which visit may lower, can follow. Returns whether visit did.
 template<class Lanes, class Visit>
@@ -110,7 +117,7 @@ bool walkTree(TreeReference root, const BoxRay<Lanes>& ray, const float& nearest
             for (met &= met - 1; met != 0; met &= met - 1) {
                 child = std::countr_zero(met);
                 Entry next{entry[child], node.child[child]};
-                __builtin_prefetch(next.reference.address());
+                prefetch(next.reference);
                 if (next.t < t) {
                     std::swap(next.t, t);
                     std::swap(next.reference, at);
@@ -119,6 +126,7 @@ bool walkTree(TreeReference root, const BoxRay<Lanes>& ray, const float& nearest
                 for (; place > bottom && stack[place - 1].t < next.t; --place) stack[place] = stack[place - 1];
                 stack[place] = next;
             }
+            prefetch(at);
         }
         if (at.isLeaf() && at.address() != nullptr && visit(at.address())) return true;
         do {

@@ -116,6 +116,17 @@ const Instance& TreeAccelerator::instanceOf(const ObjectPack& pack, std::uint32_
     return scene_.instances[pack.instance[i]];
 }
 
+const MeshPack* TreeAccelerator::onlyMesh() const {
+    const TreeReference root = objects_->root();
+    const MeshPack* mesh = nullptr;
+    if (root.isLeaf() && root.address() != nullptr)
+        visitPack(*static_cast<const ObjectPack*>(root.address()), [&]<class Pack>(const Pack& pack) {
+            if constexpr (std::is_same_v<Pack, MeshPack>) mesh = &pack;
+            return true;
+        });
+    return mesh;
+}
+
 std::optional<Hit> TreeAccelerator::intersect(const core::Rayf& ray, TraversalCounts& counts) const {
     Hit nearest;
     nearest.t = ray.tMax;
