@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # tests/includes.sh ROOT: fails, naming file and line, where an include runs against the arrows
-#     core <- materials <- gr <- render <- grsh
+#     core <- image <- materials <- gr <- render <- grsh
 # (a module may include itself and what is left of it), or where Tcl is included outside grsh.
 # tests/includes.sh --self-test: plants such includes and expects each to be found.
 set -euo pipefail
 
-modules=(core materials gr render grsh)
+modules=(core image materials gr render grsh)
 
 rank() {
     local i

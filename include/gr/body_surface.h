@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gr/hit.h"
-#include "gr/polyhedron_surface.h"
+#include "gr/mesh/polyhedron_surface.h"
 #include "gr/scene.h"
 #include "gr/surface_point.h"
 

@@ -1,8 +1,8 @@
 // What is rendered: the scene graph spread out into a flat list, in world space, never changed again.
 #pragma once
 
-#include "gr/accelerator.h"
-#include "gr/face_list.h"
+#include "gr/accelerators/accelerator.h"
+#include "gr/accelerators/face_list.h"
 #include "gr/hit.h"
 #include "gr/light.h"
 #include "gr/placement.h"

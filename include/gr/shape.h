@@ -3,7 +3,7 @@
 // gr_stats and the fingerprint walk this list; its command is a row of src/grsh/shape_commands.cpp.
 #pragma once
 
-#include "gr/polyhedron.h"
+#include "gr/mesh/polyhedron.h"
 #include "gr/shapes/box.h"
 #include "gr/shapes/cone.h"
 #include "gr/shapes/cylinder.h"

@@ -2,7 +2,7 @@
 // work is bounded by the number of its triangles, whatever numbers it is made of.
 #pragma once
 
-#include "gr/mesh_line.h"
+#include "gr/mesh/mesh_line.h"
 #include "gr/scene.h"
 
 #include <vector>

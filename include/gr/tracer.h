@@ -1,10 +1,10 @@
 // What the rays of many paths meet, for all lanes at once.
 #pragma once
 
+#include "gr/accelerators/all_tracer.h"
+#include "gr/accelerators/face_tracer.h"
 #include "gr/accelerators/lane_rays.h"
-#include "gr/all_tracer.h"
 #include "gr/body_surface.h"
-#include "gr/face_tracer.h"
 
 namespace gr {
 

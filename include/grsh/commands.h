@@ -1,7 +1,7 @@
 // The commands that the shell adds to Tcl: rows of tables, one table a topic.
 #pragma once
 
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "grsh/tcl_value.h"
 #include "grsh/words.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grsh/commands.h"
-#include "render/layer.h"
+#include "image/layer.h"
 #include "render/settings.h"
 
 namespace grsh {
@@ -20,7 +20,7 @@ struct RenderJob {
     int startLine() const { return settings.startLine.value_or(0); }
     int stopLine() const { return settings.stopLine.value_or(height - 1); }
     int lines() const { return stopLine() - startLine() + 1; }
-    std::vector<render::Layer> layers() const { return render::layersNamed(settings.layers); }
+    std::vector<image::Layer> layers() const { return image::layersNamed(settings.layers); }
 };
 
 RenderJob readRenderJob(Call& call);

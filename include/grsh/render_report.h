@@ -1,7 +1,7 @@
 // What gr_render says of a render that is done.
 #pragma once
 
-#include "gr/accelerator.h"
+#include "gr/accelerators/accelerator.h"
 #include "grsh/render_job.h"
 #include "render/render.h"
 

@@ -1,10 +1,10 @@
 // From a scene to a film, with all cores.
 #pragma once
 
-#include "render/camera.h"
-#include "render/film.h"
-#include "render/integrator.h"
-#include "render/noise.h"
+#include "image/film.h"
+#include "render/accumulate/noise.h"
+#include "render/transport/camera.h"
+#include "render/transport/integrator.h"
 
 #include <atomic>
 
@@ -39,7 +39,7 @@ double sumBytesFor(const RenderSettings& settings, int width, int lines);
 // in their order: neither the number of threads nor the strips change a bit, and how it was found out how many samples
 // there are does not, either.
 // stop: rendering ends soon after it turns true.
-RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
-                    Progress& progress, const std::atomic<bool>& stop);
+RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
+                    image::Film& film, Progress& progress, const std::atomic<bool>& stop);
 
 }  // namespace render

@@ -1,6 +1,6 @@
 #include "core/memory.h"
-#include "gr/database.h"
-#include "gr/object_count.h"
+#include "gr/database/database.h"
+#include "gr/database/object_count.h"
 #include "gr/scene.h"
 
 #include <glm/ext/matrix_transform.hpp>

@@ -1,6 +1,6 @@
 #include "gr/fingerprint.h"
 
-#include "gr/polyhedron.h"
+#include "gr/mesh/polyhedron.h"
 
 #include <bit>
 #include <unordered_map>

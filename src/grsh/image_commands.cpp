@@ -2,11 +2,11 @@
 #include "grsh/dict.h"
 #include "grsh/interrupt.h"
 #include "grsh/option_words.h"
-#include "render/assemble.h"
-#include "render/compare.h"
-#include "render/flip.h"
-#include "render/image_file.h"
-#include "render/median.h"
+#include "image/compare.h"
+#include "image/flip.h"
+#include "image/image_file.h"
+#include "image/median.h"
+#include "render/accumulate/assemble.h"
 
 #include <array>
 #include <filesystem>
@@ -15,8 +15,8 @@
 namespace grsh {
 namespace {
 
-using render::Colours;
-using render::CompareSettings;
+using image::Colours;
+using image::CompareSettings;
 
 void checkInterrupt() {
     if (interrupted()) throw core::Error("RENDER", "INTERRUPTED", "", "interrupted");
@@ -24,14 +24,14 @@ void checkInterrupt() {
 
 Tcl_Obj* median(Call& call) {
     const std::string in = call.words.fileName(0, "in"), out = call.words.fileName(1, "out");
-    constexpr core::Range range{.least = 1, .most = render::largestMedian};
+    constexpr core::Range range{.least = 1, .most = image::largestMedian};
     const int n = call.words.integer(2, "n", range);
     if (n % 2 == 0) throwBadValue("n", "odd, from 1 to 15", call.words.object(2));
     const InterruptScope scope(call.interp);
-    const render::ImageFile file(out);
+    const image::ImageFile file(out);
     file.checkAgainst(in);
-    render::Image image = render::readImage(in);
-    render::applyMedian(image, n);
+    image::Image image = image::readImage(in);
+    image::applyMedian(image, n);
     image.metadata.emplace_back("grsh:median", std::to_string(n));
     checkInterrupt();
     file.write(image);
@@ -39,8 +39,8 @@ Tcl_Obj* median(Call& call) {
 }
 
 // The difference, channel by channel, or grey where there is but one number for each pixel.
-render::Film differenceFilm(const Colours& a, const Colours& b, std::span<const float> flip) {
-    render::Film film(a.width, a.height, 0, a.height);
+image::Film differenceFilm(const Colours& a, const Colours& b, std::span<const float> flip) {
+    image::Film film(a.width, a.height, 0, a.height);
     for (int y = 0; y < a.height; ++y) {
         for (int x = 0; x < a.width; ++x) {
             const std::size_t i =
@@ -51,7 +51,7 @@ render::Film differenceFilm(const Colours& a, const Colours& b, std::span<const 
     return film;
 }
 
-void checkTolerance(const CompareSettings& settings, double value, const render::Comparison& figures, Call& call) {
+void checkTolerance(const CompareSettings& settings, double value, const image::Comparison& figures, Call& call) {
     if (!settings.tolerance) return;
     const bool isPsnr = settings.metric == "psnr";
     if (isPsnr ? value >= *settings.tolerance : value <= *settings.tolerance) return;
@@ -71,8 +71,8 @@ double mean(std::span<const float> numbers) {
 
 // The pictures a and b, of the same size.
 std::pair<Colours, Colours> readBoth(const std::string& a, const std::string& b) {
-    std::pair<Colours, Colours> both{render::coloursOf(render::readImage(a), a),
-                                     render::coloursOf(render::readImage(b), b)};
+    std::pair<Colours, Colours> both{image::coloursOf(image::readImage(a), a),
+                                     image::coloursOf(image::readImage(b), b)};
     const auto size = [](const Colours& colours) {
         return std::to_string(colours.width) + " x " + std::to_string(colours.height);
     };
@@ -88,16 +88,16 @@ Tcl_Obj* compareCommand(Call& call) {
     CompareSettings settings;
     readOptions(call.words, 2, "no such option", settings);
     const InterruptScope scope(call.interp);
-    std::optional<render::ImageFile> file;
+    std::optional<image::ImageFile> file;
     if (!settings.difference.empty()) {
         file.emplace(settings.difference);
         for (const std::string& path : paths) file->checkIsNot(path);
     }
     const auto [a, b] = readBoth(paths[0], paths[1]);
 
-    const render::Comparison figures = render::compare(a, b);
+    const image::Comparison figures = image::compare(a, b);
     std::vector<float> flip;
-    if (settings.metric == "flip") flip = render::flip(shown(b), shown(a), a.width, a.height);
+    if (settings.metric == "flip") flip = image::flip(shown(b), shown(a), a.width, a.height);
     const double value = settings.metric == "mse"      ? figures.mse
                          : settings.metric == "relmse" ? figures.relmse
                          : settings.metric == "psnr"   ? figures.psnr
@@ -119,7 +119,7 @@ Tcl_Obj* compareCommand(Call& call) {
 
 Tcl_Obj* assembleCommand(Call& call) {
     const InterruptScope scope(call.interp);
-    const render::ImageFile file(call.words.fileName(0, "out"));
+    const image::ImageFile file(call.words.fileName(0, "out"));
     std::vector<std::string> paths;
     std::set<std::filesystem::path> files;
     for (std::size_t i = 1; i < call.words.size(); ++i) {
@@ -132,7 +132,7 @@ Tcl_Obj* assembleCommand(Call& call) {
     }
     std::vector<render::Strip> strips;
     for (const std::string& path : paths) {
-        strips.push_back({path, render::readImage(path)});
+        strips.push_back({path, image::readImage(path)});
         checkInterrupt();
     }
     file.write(render::assemble(std::move(strips)));

@@ -7,7 +7,7 @@
 #include "grsh/progress.h"
 #include "grsh/render_job.h"
 #include "grsh/render_report.h"
-#include "render/image_file.h"
+#include "image/image_file.h"
 #include "render/render.h"
 
 #include <algorithm>
@@ -24,25 +24,25 @@ std::string scriptName(Tcl_Interp* interp) {
 }
 
 // What made the picture; nothing that another run of the same render would have different.
-render::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, const render::RenderResult& result,
-                            Tcl_Interp* interp) {
+image::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, const render::RenderResult& result,
+                           Tcl_Interp* interp) {
     const auto vector = [](const glm::dvec3& v) {
         return core::numberText(v.x) + " " + core::numberText(v.y) + " " + core::numberText(v.z);
     };
     std::string lights;
     for (const std::string& light : job.lights) lights += (lights.empty() ? "" : " ") + light;
-    render::Metadata metadata{{"Software", "grsh " GRSH_VERSION},
-                              {"Scene", scriptName(interp)},
-                              {"grsh:fingerprint", std::to_string(gr::fingerprint(scene))},
-                              {"grsh:node", job.node},
-                              {"grsh:width", std::to_string(job.width)},
-                              {"grsh:height", std::to_string(job.height)},
-                              {"grsh:eye", vector(job.eye)},
-                              {"grsh:view", vector(job.view)},
-                              {"grsh:up", vector(job.up)},
-                              {"grsh:fov", core::numberText(job.fieldOfView)},
-                              {"grsh:ambient", core::optionText(job.ambient)},
-                              {"grsh:lights", lights}};
+    image::Metadata metadata{{"Software", "grsh " GRSH_VERSION},
+                             {"Scene", scriptName(interp)},
+                             {"grsh:fingerprint", std::to_string(gr::fingerprint(scene))},
+                             {"grsh:node", job.node},
+                             {"grsh:width", std::to_string(job.width)},
+                             {"grsh:height", std::to_string(job.height)},
+                             {"grsh:eye", vector(job.eye)},
+                             {"grsh:view", vector(job.view)},
+                             {"grsh:up", vector(job.up)},
+                             {"grsh:fov", core::numberText(job.fieldOfView)},
+                             {"grsh:ambient", core::optionText(job.ambient)},
+                             {"grsh:lights", lights}};
     render::RenderSettings resolved = job.settings;
     resolved.startLine = job.startLine();
     resolved.stopLine = job.stopLine();
@@ -85,7 +85,7 @@ void warnOfNoise(Call& call, const RenderJob& job, const render::RenderResult& r
                    (result.noise ? "but " + render::noiseText(*result.noise) : "too few to tell what is"));
 }
 
-render::RenderResult renderFilm(const RenderJob& job, const render::Integrator& integrator, render::Film& film) {
+render::RenderResult renderFilm(const RenderJob& job, const render::Integrator& integrator, image::Film& film) {
     render::Camera camera(job.eye, job.view, job.up, job.fieldOfView, job.width, job.height);
     if (job.settings.depthOfField) camera.setLens(job.settings.aperture, job.settings.focalDistance);
     render::Progress progress;
@@ -101,7 +101,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights);
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
-    const render::ImageFile file(job.file, job.layers());
+    const image::ImageFile file(job.file, job.layers());
     if (!hasLight(job, scene))
         warn(call, "gr_render: " + job.file +
                        ": nothing shines, the picture is black: no lamp and no light named has " +
@@ -113,7 +113,7 @@ Tcl_Obj* renderCommand(Call& call) {
         job.settings.accelerator, scene, core::threadCount(job.settings.threads), job.settings.integrator == "path");
     const double buildSeconds = secondsSince(buildStart);
     const auto integrator = makeIntegrator(job, scene, *accelerator);
-    render::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
+    image::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
     const auto renderStart = std::chrono::steady_clock::now();
     const render::RenderResult result = renderFilm(job, *integrator, film);
     const double renderSeconds = secondsSince(renderStart);

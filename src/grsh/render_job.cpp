@@ -2,9 +2,9 @@
 
 #include "core/memory.h"
 #include "grsh/option_words.h"
-#include "render/film.h"
-#include "render/lanes_choice.h"
+#include "image/film.h"
 #include "render/render.h"
+#include "render/transport/lanes_choice.h"
 
 namespace grsh {
 namespace {
@@ -72,7 +72,7 @@ void checkLines(const RenderJob& job) {
 }
 
 void checkMemory(const RenderJob& job) {
-    const double needed = render::Film::bytesFor(job.width, job.lines(), job.layers()) +
+    const double needed = image::Film::bytesFor(job.width, job.lines(), job.layers()) +
                           render::sumBytesFor(job.settings, job.width, job.lines());
     const double available = static_cast<double>(core::availableMemory());
     if (needed > available)

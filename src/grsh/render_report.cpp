@@ -2,7 +2,7 @@
 
 #include "grsh/dict.h"
 #include "grsh/progress.h"
-#include "render/noise.h"
+#include "render/accumulate/noise.h"
 
 #include <cstdio>
 

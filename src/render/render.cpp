@@ -1,9 +1,9 @@
 #include "render/render.h"
 
 #include "core/parallel.h"
-#include "render/alarm.h"
-#include "render/passes.h"
-#include "render/tile.h"
+#include "render/accumulate/alarm.h"
+#include "render/accumulate/passes.h"
+#include "render/accumulate/tile.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +19,7 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::vector<Tile> tilesOf(const Film& film) {
+std::vector<Tile> tilesOf(const image::Film& film) {
     std::vector<Tile> tiles;
     const int right = film.width(), bottom = film.startLine() + film.lines();
     for (int y = film.startLine(); y < bottom; y += tileSize)
@@ -30,8 +30,8 @@ std::vector<Tile> tilesOf(const Film& film) {
 
 class PictureRenderer {
 public:
-    PictureRenderer(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
-                    Progress& progress, const std::atomic<bool>& stop)
+    PictureRenderer(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
+                    image::Film& film, Progress& progress, const std::atomic<bool>& stop)
         : integrator_(integrator),
           // A grid over the pixel that is left half empty would favour a part of it.
           view_{camera, settings.antialiasing, settings.seed, settings.isOpenEnded() ? 1 : settings.mostSamples()},
@@ -106,15 +106,26 @@ private:
         core::parallelFor(static_cast<int>(tiles_.size()), result_.threads, [&](int i) {
             if (stop.load(std::memory_order_relaxed)) return;
             Tile& tile = tiles_[static_cast<std::size_t>(i)];
-            TileRenderer renderer(integrator_, view_, film_.hasLayers(), progress_);
-            renderer.render(tile, samples, stop);
+            TileSums sums(film_.hasLayers(), progress_);
+            renderTile(tile, samples, sums, stop);
             if (tile.samples == samples) finish(tile);
             const std::lock_guard lock(resultMutex_);
-            result_.rays += renderer.tally.rays;
-            result_.samples += renderer.tally.samples;
-            result_.droppedSamples += renderer.tally.dropped;
-            noise_ += renderer.noise;
+            result_.rays += sums.tally.rays;
+            result_.samples += sums.tally.samples;
+            result_.droppedSamples += sums.tally.dropped;
+            noise_ += sums.noise;
         });
+    }
+
+    // Goes on until each pixel has had so many samples. When stop turns true it ends soon, with as many as it has by
+    // then: the same number for each pixel.
+    void renderTile(Tile& tile, int samples, TileSums& sums, const std::atomic<bool>& stop) const {
+        while (tile.samples < samples) {
+            const SampleBlock block = sums.next(tile, samples);
+            integrator_.render(view_, block, sums.samples, stop);
+            if (stop.load(std::memory_order_relaxed)) return;
+            sums.add(tile, block, samples);
+        }
     }
 
     // How many samples each pixel has, and how noisy that is, after a pass that should have gone to `end`.
@@ -148,7 +159,7 @@ private:
     const Integrator& integrator_;
     const View view_;
     const RenderSettings& settings_;
-    Film& film_;
+    image::Film& film_;
     Progress& progress_;
     const std::atomic<bool>& stop_;
     std::vector<Tile> tiles_;
@@ -166,8 +177,8 @@ double sumBytesFor(const RenderSettings& settings, int width, int lines) {
     return static_cast<double>(bytesPerPixel) * width * lines;
 }
 
-RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings, Film& film,
-                    Progress& progress, const std::atomic<bool>& stop) {
+RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
+                    image::Film& film, Progress& progress, const std::atomic<bool>& stop) {
     return PictureRenderer(integrator, camera, settings, film, progress, stop).render();
 }
 

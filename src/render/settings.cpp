@@ -1,8 +1,8 @@
 #include "render/settings.h"
 
-#include "gr/accelerator.h"
-#include "render/lanes_choice.h"
-#include "render/layer.h"
+#include "gr/accelerators/accelerator.h"
+#include "image/layer.h"
+#include "render/transport/lanes_choice.h"
 
 #include <array>
 
@@ -99,7 +99,7 @@ const std::array<core::OptionRow<S>, 21> rows{{
      .help = "each stop doubles what a .png shows; .exr and .pfm keep the radiance as it is"},
     {.name = "layers",
      .member = &S::layers,
-     .words = layerNames(),
+     .words = image::layerNames(),
      .help = "what an .exr file holds of each pixel beside its radiance",
      .inPicture = false},
     {.name = "lanes",

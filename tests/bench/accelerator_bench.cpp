@@ -1,7 +1,7 @@
 // Finding what rays meet: lattices of spheres that fill the same part of the picture however many they are, and a mesh.
 // Each benchmark traces a picture's camera rays, and from what they meet a shadow ray each, on one thread.
-#include "gr/database.h"
-#include "gr/grid_walk.h"
+#include "gr/accelerators/grid_walk.h"
+#include "gr/database/database.h"
 #include "gr/scene.h"
 #include "gr/uv_sphere_mesh.h"
 #include "native_embree.h"

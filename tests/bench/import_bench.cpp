@@ -3,7 +3,7 @@
 // of_assimp is our time over assimp's without any step behind the reading, of_joined over assimp's with an indexed
 // mesh.
 #include "core/parallel.h"
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "gr/scene.h"
 #include "gr/uv_sphere_mesh.h"
 #include "support/temporary_folder.h"

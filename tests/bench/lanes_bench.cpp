@@ -1,8 +1,8 @@
 // What is a template over Real, at the width that this program is compiled for and at float.
 #include "bare_loop.h"
 #include "gr/light.h"
+#include "gr/mesh/triangle.h"
 #include "gr/shape.h"
-#include "gr/triangle.h"
 #include "materials/material.h"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // The median filter beside the plain one that its tests compare it with, on one thread and the same picture.
-#include "render/image_samples.h"
-#include "render/median.h"
-#include "render/plain_median.h"
+#include "image/image_samples.h"
+#include "image/median.h"
+#include "image/plain_median.h"
 
 #include <benchmark/benchmark.h>
 
@@ -26,7 +26,7 @@ void median(benchmark::State& state) {
     double seconds = 0;
     for (auto _ : state) {
         const auto filterStart = std::clock();
-        const auto medians = render::medianFilter<Number>(numbers, side, side, n, 1);
+        const auto medians = image::medianFilter<Number>(numbers, side, side, n, 1);
         seconds += secondsSince(filterStart);
         if (medians != expected) state.SkipWithError("not the plain filter's picture");
     }

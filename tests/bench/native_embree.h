@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/ray.h"
-#include "gr/embree_library.h"
+#include "gr/accelerators/embree_library.h"
 
 #include <array>
 #include <span>

@@ -1,8 +1,8 @@
 // The integrators on a Cornell box, beside the bare loop over the same box, on one thread.
 #include "bare_loop.h"
-#include "gr/database.h"
-#include "render/lanes_choice.h"
+#include "gr/database/database.h"
 #include "render/render.h"
+#include "render/transport/lanes_choice.h"
 
 #include <benchmark/benchmark.h>
 
@@ -61,7 +61,7 @@ void renderCornell(benchmark::State& state, render::RenderSettings settings) {
     std::uint64_t rays = 0;
     const std::atomic<bool> stop{false};
     for (auto _ : state) {
-        render::Film film(128, 128, 0, 128);
+        image::Film film(128, 128, 0, 128);
         render::Progress progress;
         rays += render::render(*integrator, camera, settings, film, progress, stop).rays.total();
     }

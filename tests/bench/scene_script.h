@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gr/scene.h"
-#include "render/camera.h"
+#include "render/transport/camera.h"
 
 #include <string>
 

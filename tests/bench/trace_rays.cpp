@@ -3,8 +3,8 @@
 #include "core/frame.h"
 #include "core/warp.h"
 #include "gr/tracer.h"
-#include "render/integrator.h"
-#include "render/tile.h"
+#include "render/accumulate/tile.h"
+#include "render/transport/integrator.h"
 
 namespace bench {
 namespace {

@@ -4,8 +4,8 @@
 // docs_text ROOT writes what lies between them; docs_text --check ROOT fails where that is not what the code has.
 #include "core/option.h"
 #include "grsh/commands.h"
+#include "image/compare.h"
 #include "materials/material.h"
-#include "render/compare.h"
 #include "render/settings.h"
 
 #include <array>
@@ -71,7 +71,7 @@ std::string renderTable(const fs::path&) {
 }
 
 std::string compareTable(const fs::path&) {
-    return optionTable(render::CompareSettings::options());
+    return optionTable(image::CompareSettings::options());
 }
 
 std::string read(const fs::path& path) {

@@ -65,7 +65,7 @@ self_test() {
     plant README.md '[a](docs/a.md)' 'links to "docs/a.md", which is not there'
     plant docs/tour.md '[a](docs/tour.md)' 'links to "docs/tour.md", which is not there'
     plant README.md 'run `./tools/run x`' 'names "tools/run", which is not there'
-    plant docs/tour.md '`src/gr/grid.cpp`' 'names "src/gr/grid.cpp", which is not there'
+    plant docs/tour.md '`src/gr/accelerators/grid.cpp`' 'names "src/gr/accelerators/grid.cpp", which is not there'
     plant docs/tour.md '| 1 | `src/gr/scene.cpp` | `Ray`, `pac` |' '"src/gr/scene.cpp" has no "pac"'
 
     rm "$tree"/docs/*.md && echo nothing | tee "$tree/README.md" >"$tree/docs/a.md"

@@ -58,8 +58,8 @@ change src/grsh/shape_commands.cpp '
     s/^Tcl_Obj\* makePlane/Tcl_Obj* makeCoin(Call\& call) {\n    return create(call, gr::CoinNode{});\n}\n\n&/
     s/^    {"gr_plane"/    {"gr_coin", "", "pname name", 2, 2, makeCoin, "makes a coin"},\n&/
     s/std::array<Command, \([0-9]*\)> rows/std::array<Command, \1 + 1> rows/'
-compiles src/grsh/shape_commands.cpp src/grsh/stats_commands.cpp src/gr/{compile,solid,instance,print,fingerprint}.cpp \
-    src/gr/{no_accelerator,scene,accelerators/tree_accelerator}.cpp
+compiles src/grsh/shape_commands.cpp src/grsh/stats_commands.cpp src/gr/{compile,solid,instance,database/print,fingerprint}.cpp \
+    src/gr/{scene,accelerators/no_accelerator,accelerators/tree_accelerator}.cpp
 echo '#include "gr/shape.h"' >shape.cpp
 for part in intersect surfaceAt coordinatesAt reachUnder; do
     cp "$shape" whole
@@ -79,7 +79,7 @@ named "a light" include/gr/lights/point_light.h include/gr/light.h
 light=include/gr/lights/glow.h
 sed 's/PointLight/Glow/g' include/gr/lights/point_light.h >"$light"
 change include/gr/light.h 's|#include "gr/lights/point_light.h"|#include "gr/lights/glow.h"\n&|; s/LightList<AreaLight/&, Glow/'
-compiles src/gr/{compile,print,fingerprint}.cpp src/render/{light_tree,report_integrator}.cpp
+compiles src/gr/{compile,database/print,fingerprint}.cpp src/render/transport/{light_tree,report_integrator}.cpp
 echo '#include "gr/light.h"' >light.cpp
 for part in sample shadowEnd bounds power falloff text; do
     cp "$light" whole
@@ -93,7 +93,7 @@ named "a material" include/materials/diffuse.h include/materials/material.h
 material=include/materials/chalk.h
 sed 's/\bDiffuse\(\|Bsdf\)\b/Chalk\1/g; s/"diffuse";/"chalk";/' include/materials/diffuse.h >"$material"
 change include/materials/material.h 's|#include "materials/dielectric.h"|#include "materials/chalk.h"\n&|; s/variant<Diffuse/&, Chalk/'
-compiles src/grsh/material_commands.cpp src/gr/{compile,fingerprint}.cpp src/render/{report,path}_integrator.cpp
+compiles src/grsh/material_commands.cpp src/gr/{compile,fingerprint}.cpp src/render/transport/{report,path}_integrator.cpp
 echo '#include "materials/material.h"' >material.cpp
 for part in typeName options canSample sampling at isAnisotropic interior albedo ambientReflectance eval pdfW sample; do
     cp "$material" whole

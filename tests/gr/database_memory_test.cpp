@@ -1,6 +1,6 @@
 // What a node costs. Global operator new and delete are replaced to count it, for all of this program's tests.
 #include "gr/bytes_in_use.h"
-#include "gr/database.h"
+#include "gr/database/database.h"
 
 #include <gtest/gtest.h>
 #include <malloc.h>

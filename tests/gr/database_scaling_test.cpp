@@ -1,6 +1,6 @@
 // No step of making, looking at and deleting a large scene is slower than linear.
 
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "gr/scene.h"
 
 #include <gtest/gtest.h>

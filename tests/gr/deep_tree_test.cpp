@@ -1,6 +1,6 @@
 // Trees too deep to walk by recursion.
 
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "gr/scene.h"
 
 #include <gtest/gtest.h>

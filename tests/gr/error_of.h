@@ -1,7 +1,7 @@
 // What an error says, and that it changed nothing.
 #pragma once
 
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "support/error_of.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The same scene has the same fingerprint, and whatever changes the scene changes it.
 #include "gr/fingerprint.h"
 
-#include "gr/database.h"
+#include "gr/database/database.h"
 
 #include <gtest/gtest.h>
 

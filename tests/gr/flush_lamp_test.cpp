@@ -1,6 +1,6 @@
 // A lamp in the plane of another face, or of another lamp, is met from the side to which it shines, and by its light.
 // Seen to fail without the lift that compile gives such lamps, and with one to the dark side.
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "gr/random_shapes.h"
 #include "gr/tracer.h"
 

@@ -2,8 +2,8 @@
 // are. Time and bytes were seen to fail where levels within levels may take any number of bytes, and where no level has
 // fewer than n / 64 cells.
 
+#include "gr/accelerators/grid.h"
 #include "gr/bytes_in_use.h"
-#include "gr/grid.h"
 #include "gr/hard_scenes.h"
 
 namespace gr {

@@ -1,9 +1,9 @@
 // Meshes from files, good ones and broken ones. Messages are compared word for word.
-#include "gr/accelerator.h"
+#include "gr/accelerators/accelerator.h"
 #include "gr/error_of.h"
-#include "gr/mesh_import.h"
+#include "gr/mesh/mesh_import.h"
+#include "gr/mesh/polyhedron_surface.h"
 #include "gr/mesh_text.h"
-#include "gr/polyhedron_surface.h"
 #include "gr/scene.h"
 #include "support/test_random.h"
 

@@ -1,4 +1,4 @@
-#include "gr/mesh_repair.h"
+#include "gr/mesh/mesh_repair.h"
 
 #include "gr/error_of.h"
 #include "gr/uv_sphere_mesh.h"

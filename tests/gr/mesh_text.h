@@ -1,7 +1,7 @@
 // Mesh files in a folder that is gone with the test.
 #pragma once
 
-#include "gr/mesh_file.h"
+#include "gr/mesh/mesh_file.h"
 #include "support/temporary_folder.h"
 
 #include <fstream>

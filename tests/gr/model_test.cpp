@@ -1,8 +1,8 @@
 // The meshes of scenes/models/ are what their scripts promise: closed, wound alike and outwards, and smooth. Seen to
 // fail for a missing, a doubled and a turned face, for two vertices that became one, and for missing and turned
 // normals.
-#include "gr/mesh_file.h"
-#include "gr/polyhedron_surface.h"
+#include "gr/mesh/mesh_file.h"
+#include "gr/mesh/polyhedron_surface.h"
 #include "gr/shape.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Shapes, places and directions for tests that draw them at random.
 #pragma once
 
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "support/test_random.h"
 
 #include <array>

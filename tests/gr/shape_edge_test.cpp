@@ -1,6 +1,6 @@
 // Rays that lie just so: along axes and faces, through edges and corners, from within.
 
-#include "gr/pack.h"
+#include "gr/mesh/pack.h"
 #include "gr/random_shapes.h"
 
 #include <gtest/gtest.h>

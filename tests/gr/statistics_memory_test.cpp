@@ -1,7 +1,7 @@
 // That the bytes which a database says it takes are those that are allocated. Each part of the sum was left out once,
 // and a test failed.
 #include "gr/bytes_in_use.h"
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "gr/mesh_text.h"
 #include "gr/uv_sphere_mesh.h"
 

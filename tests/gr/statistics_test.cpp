@@ -1,5 +1,5 @@
 // What a database says it holds. That its bytes are true is tested in database_memory_test.cpp.
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "gr/uv_sphere_mesh.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "gr/error_of.h"
-#include "gr/mesh_repair.h"
+#include "gr/mesh/mesh_repair.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,7 +1,7 @@
 // A round mesh with corners of both kinds.
 #pragma once
 
-#include "gr/polyhedron.h"
+#include "gr/mesh/polyhedron.h"
 
 #include <cmath>
 

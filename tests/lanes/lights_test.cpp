@@ -4,7 +4,7 @@
 
 #include "gr/light.h"
 #include "lanes/both_widths.h"
-#include "render/light_node.h"
+#include "render/transport/light_node.h"
 
 namespace lanes {
 namespace {

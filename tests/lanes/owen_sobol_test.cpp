@@ -1,6 +1,6 @@
 // A sample's random numbers are the same in every lane as at float. Seen to fail with a lane's number taken from its
 // neighbour.
-#include "render/owen_sobol.h"
+#include "render/transport/owen_sobol.h"
 
 #include "lanes/both_widths.h"
 

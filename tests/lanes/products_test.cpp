@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gr/triangle.h"
+#include "gr/mesh/triangle.h"
 #include "lanes/both_widths.h"
 
 namespace lanes {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "gr/mesh/triangle.h"
 #include "gr/shape.h"
-#include "gr/triangle.h"
 #include "lanes/both_widths.h"
 
 namespace lanes {

@@ -1,22 +1,23 @@
 // Strips put together, and those that do not belong together.
-#include "render/assemble.h"
+#include "render/accumulate/assemble.h"
 
+#include "image/image_samples.h"
+#include "image/temporary_folder.h"
+#include "render/accumulate/noise.h"
 #include "render/grsh_process.h"
-#include "render/image_samples.h"
-#include "render/noise.h"
-#include "render/temporary_folder.h"
 #include "support/error_of.h"
 
 #include <gmock/gmock.h>
 
 namespace render {
+using namespace image;
 namespace {
 
 using support::errorOf;
 
 // Lines first to last of a picture of 3 x 10 pixels whose samples are their own line's number.
 Strip strip(const std::string& path, int first, int last) {
-    Image image = randomImage<std::uint8_t>(3, last - first + 1, "RGB");
+    image::Image image = randomImage<std::uint8_t>(3, last - first + 1, "RGB");
     image.held.top = first;
     image.whole = {0, 0, 3, 10};
     image.isPart = true;
@@ -39,9 +40,9 @@ std::string errorOfStrips(std::vector<Strip> strips) {
 }
 
 TEST(Assemble, PutsTheLinesInTheirPlaces) {
-    const Image whole = assemble({strip("c", 4, 4), strip("a", 5, 9), strip("b", 0, 3)});
-    EXPECT_EQ(whole.held, (Window{0, 0, 3, 10}));
-    EXPECT_EQ(whole.whole, (Window{0, 0, 3, 10}));
+    const image::Image whole = assemble({strip("c", 4, 4), strip("a", 5, 9), strip("b", 0, 3)});
+    EXPECT_EQ(whole.held, (image::Window{0, 0, 3, 10}));
+    EXPECT_EQ(whole.whole, (image::Window{0, 0, 3, 10}));
     EXPECT_FALSE(whole.isPart);
     for (std::size_t i = 0; i < 30; ++i) {
         EXPECT_EQ(std::get<0>(whole.channels[0].samples)[i], i / 3);
@@ -71,18 +72,19 @@ TEST(Assemble, RefusesStripsOfDifferentRenders) {
         change(other.image);
         return errorOfStrips({strip("a", 0, 3), other});
     };
-    EXPECT_EQ(error([](Image&) {}), "no error");
+    EXPECT_EQ(error([](image::Image&) {}), "no error");
     const std::string start = "STRIP RENDER [b] \"b\" is of another render than \"a\": ";
-    EXPECT_EQ(error([](Image& image) { image.metadata.back().second = "6"; }), start + "seed is \"6\", not \"5\"");
-    EXPECT_EQ(error([](Image& image) { image.metadata[0].second = "b.gr"; }),
+    EXPECT_EQ(error([](image::Image& image) { image.metadata.back().second = "6"; }),
+              start + "seed is \"6\", not \"5\"");
+    EXPECT_EQ(error([](image::Image& image) { image.metadata[0].second = "b.gr"; }),
               start + "Scene is \"b.gr\", not \"a.gr\"");
-    EXPECT_EQ(error([](Image& image) { image.metadata.pop_back(); }), start + "only \"a\" has a text seed");
-    EXPECT_EQ(error([](Image& image) { image.metadata.emplace_back("grsh:median", "3"); }),
+    EXPECT_EQ(error([](image::Image& image) { image.metadata.pop_back(); }), start + "only \"a\" has a text seed");
+    EXPECT_EQ(error([](image::Image& image) { image.metadata.emplace_back("grsh:median", "3"); }),
               start + "only \"b\" has a text median");
-    EXPECT_EQ(error([](Image& image) { image.channels.push_back(image.channels[0]); }),
+    EXPECT_EQ(error([](image::Image& image) { image.channels.push_back(image.channels[0]); }),
               start + "what it has of each pixel is \"R G B R\", not \"R G B\"");
-    EXPECT_EQ(error([](Image& image) {
-                  for (ImageChannel& channel : image.channels) channel.samples = std::vector<std::uint16_t>(18);
+    EXPECT_EQ(error([](image::Image& image) {
+                  for (image::ImageChannel& channel : image.channels) channel.samples = std::vector<std::uint16_t>(18);
               }),
               "STRIP RENDER [b] \"b\" has other numbers of bits than \"a\"");
 }

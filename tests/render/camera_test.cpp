@@ -1,7 +1,7 @@
 // Where the pixels are.
 // Seen to fail with a picture that is mirrored or upside down, a field of view taken horizontally, and pixels shifted
 // by a half.
-#include "render/camera.h"
+#include "render/transport/camera.h"
 
 #include "core/lanes.h"
 #include "render/render.h"
@@ -97,7 +97,7 @@ class Silhouette : public testing::Test {
 protected:
     // With one sample through each pixel's centre, a line of text for each line of pixels: # where there is light.
     std::vector<std::string> picture(const Camera& camera, int width, int height) {
-        Film film(width, height, 0, height);
+        image::Film film(width, height, 0, height);
         Progress progress;
         const std::atomic<bool> stop = false;
         scene.settings.samplesPerPixel = 1;

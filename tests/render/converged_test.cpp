@@ -4,9 +4,9 @@
 // both ways to find it bring in full, and with rays that start 4 units off a surface. The noise was seen to be too much
 // with paths that go on from diffuse surfaces in all directions alike, and not by the cosine: 2.0 times what it is in
 // a, 1.7 times in bas, 1.3 in c, 2.0 in d and 1.8 in e. Direct light, a-direct, has no such paths.
-#include "render/exr_reader.h"
+#include "image/exr_reader.h"
+#include "image/temporary_folder.h"
 #include "render/grsh_process.h"
-#include "render/temporary_folder.h"
 #include "support/statistics.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@
 #include <cmath>
 
 namespace render {
+using namespace image;
 namespace {
 
 constexpr int size = 256, blockSize = 16;

@@ -3,7 +3,7 @@
 // mesh's crossings taken in the other order, one ray followed from hit to hit (to which blocks that touch have one
 // surface, and which never ends among large numbers), a lens taken to be where the eye is, its crossings taken in the
 // other order, and places beyond the lens taken to be on it.
-#include "render/eye_media.h"
+#include "render/transport/eye_media.h"
 
 #include "gr/random_shapes.h"
 #include "render/converges.h"

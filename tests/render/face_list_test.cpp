@@ -2,7 +2,7 @@
 // Seen to fail with triangles joined whatever their fourth corner, with every face taken for a wall that has nothing
 // behind it, with point lights left out of what lies behind, with mirrored meshes not turned,
 // with needles among the faces, and with more faces than a few.
-#include "gr/face_list.h"
+#include "gr/accelerators/face_list.h"
 
 #include "gr/random_shapes.h"
 #include "render/test_scene.h"

@@ -62,7 +62,7 @@ TEST(FilmLayers, AreMadeOfThePixelsFiniteSamples) {
     RenderSettings settings;
     settings.samplesPerPixel = 7;
     const Told integrator;
-    const Film film = layersOf(integrator, camera, settings, Film(width, height, 0, height, everyLayer));
+    const image::Film film = layersOf(integrator, camera, settings, image::Film(width, height, 0, height, everyLayer));
     int dropped = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -81,16 +81,16 @@ TEST(FilmLayers, AreMadeOfThePixelsFiniteSamples) {
                 depth += double(sample.depth);
                 ++met;
             }
-            ASSERT_EQ(numberAt(film, Layer::samples, x, y), kept.size());
-            ASSERT_LT(glm::distance(glm::dvec3(vectorAt(film, Layer::albedo, x, y)), albedo), 1e-6);
-            ASSERT_LT(glm::distance(glm::dvec3(vectorAt(film, Layer::normal, x, y)), normal), 1e-6);
+            ASSERT_EQ(numberAt(film, image::Layer::samples, x, y), kept.size());
+            ASSERT_LT(glm::distance(glm::dvec3(vectorAt(film, image::Layer::albedo, x, y)), albedo), 1e-6);
+            ASSERT_LT(glm::distance(glm::dvec3(vectorAt(film, image::Layer::normal, x, y)), normal), 1e-6);
             if (met > 0)
-                ASSERT_NEAR(numberAt(film, Layer::depth, x, y), depth / met, 1e-6);
+                ASSERT_NEAR(numberAt(film, image::Layer::depth, x, y), depth / met, 1e-6);
             else
-                ASSERT_EQ(numberAt(film, Layer::depth, x, y), core::infinity);
+                ASSERT_EQ(numberAt(film, image::Layer::depth, x, y), core::infinity);
             const glm::dvec3 variance = varianceOfMean(kept);
             for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(vectorAt(film, Layer::variance, x, y)[c], variance[c], 1e-6 * variance[c]);
+                ASSERT_NEAR(vectorAt(film, image::Layer::variance, x, y)[c], variance[c], 1e-6 * variance[c]);
         }
     }
     EXPECT_GT(dropped, 500);
@@ -110,12 +110,12 @@ struct Room : TestScene {
     }
 };
 
-std::vector<float> numbersOf(const Film& film) {
+std::vector<float> numbersOf(const image::Film& film) {
     std::vector<float> numbers;
     for (int y = film.startLine(); y < film.startLine() + film.lines(); ++y)
         for (int x = 0; x < width; ++x) {
             for (int c = 0; c < 3; ++c) numbers.push_back(film.at(x, y)[c]);
-            for (const Layer layer : everyLayer)
+            for (const image::Layer layer : everyLayer)
                 for (const float number : film.at(layer, x, y)) numbers.push_back(number);
         }
     return numbers;
@@ -127,7 +127,7 @@ TEST(FilmLayers, AreTheSameToTheBitOnAnyNumberOfThreadsAndInStrips) {
     const auto numbers = [&](int threads, int startLine, int lines) {
         scene.settings.threads = threads;
         return numbersOf(layersOf(radiometer.integrator(), camera, scene.settings,
-                                  Film(width, height, startLine, lines, everyLayer)));
+                                  image::Film(width, height, startLine, lines, everyLayer)));
     };
     const std::vector<float> whole = numbers(1, 0, height);
     EXPECT_EQ(numbers(5, 0, height), whole);
@@ -139,9 +139,10 @@ TEST(FilmLayers, AreTheSameToTheBitOnAnyNumberOfThreadsAndInStrips) {
 TEST(FilmLayers, DoNotChangeTheRadiance) {
     const Room scene;
     const Radiometer radiometer(scene, {0, 0, 6});
-    const Film with =
-        layersOf(radiometer.integrator(), camera, scene.settings, Film(width, height, 0, height, everyLayer));
-    const Film without = layersOf(radiometer.integrator(), camera, scene.settings, Film(width, height, 0, height));
+    const image::Film with =
+        layersOf(radiometer.integrator(), camera, scene.settings, image::Film(width, height, 0, height, everyLayer));
+    const image::Film without =
+        layersOf(radiometer.integrator(), camera, scene.settings, image::Film(width, height, 0, height));
     EXPECT_FALSE(without.hasLayers());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) ASSERT_EQ(with.at(x, y), without.at(x, y));
@@ -155,30 +156,31 @@ class NotAsked : public ScalarIntegrator {
 };
 
 TEST(FilmLayers, AreNotAskedForWithoutNeed) {
-    EXPECT_EQ(layersOf(NotAsked(), camera, {}, Film(width, height, 0, height)).at(3, 4), Rgbf(1));
+    EXPECT_EQ(layersOf(NotAsked(), camera, {}, image::Film(width, height, 0, height)).at(3, 4), Rgbf(1));
 }
 
 TEST(FilmLayers, HoldWhatWasAskedForAlone) {
-    const std::array<Layer, 2> some{Layer::samples, Layer::normal};
+    const std::array<image::Layer, 2> some{image::Layer::samples, image::Layer::normal};
     const Room scene;
-    const Film film = layersOf(Radiometer(scene, {0, 0, 6}).integrator(), camera, scene.settings,
-                               Film(width, height, 0, height, some));
+    const image::Film film = layersOf(Radiometer(scene, {0, 0, 6}).integrator(), camera, scene.settings,
+                                      image::Film(width, height, 0, height, some));
     EXPECT_TRUE(film.hasLayers());
-    for (const Layer layer : {Layer::albedo, Layer::depth, Layer::variance}) EXPECT_TRUE(film.at(layer, 3, 4).empty());
-    EXPECT_EQ(numberAt(film, Layer::samples, 3, 4), 6);
-    EXPECT_NEAR(glm::length(vectorAt(film, Layer::normal, 36, 28)), 1, 1e-5);
+    for (const image::Layer layer : {image::Layer::albedo, image::Layer::depth, image::Layer::variance})
+        EXPECT_TRUE(film.at(layer, 3, 4).empty());
+    EXPECT_EQ(numberAt(film, image::Layer::samples, 3, 4), 6);
+    EXPECT_NEAR(glm::length(vectorAt(film, image::Layer::normal, 36, 28)), 1, 1e-5);
 }
 
 TEST(FilmLayers, HaveTheirBytesCounted) {
-    const auto bytes = [](std::span<const Layer> layers) {
-        EXPECT_EQ(static_cast<double>(Film(7, 90, 11, 5, layers).bytes()), Film::bytesFor(7, 5, layers));
-        return Film::bytesFor(7, 5, layers) / 35;
+    const auto bytes = [](std::span<const image::Layer> layers) {
+        EXPECT_EQ(static_cast<double>(image::Film(7, 90, 11, 5, layers).bytes()), image::Film::bytesFor(7, 5, layers));
+        return image::Film::bytesFor(7, 5, layers) / 35;
     };
     EXPECT_EQ(bytes({}), 12);
     EXPECT_EQ(bytes(everyLayer), 12 + 4 * 11);
-    EXPECT_EQ(bytes(std::array{Layer::depth}), 16);
-    EXPECT_EQ(bytes(std::array{Layer::variance}), 24);
-    EXPECT_EQ(Film::bytesFor(1'000'000, 1'000'000, everyLayer), 56e12);
+    EXPECT_EQ(bytes(std::array{image::Layer::depth}), 16);
+    EXPECT_EQ(bytes(std::array{image::Layer::variance}), 24);
+    EXPECT_EQ(image::Film::bytesFor(1'000'000, 1'000'000, everyLayer), 56e12);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 // more noise where bounces take no heed of the highlight.
 // Seen to fail with the density of the drawn method in place of the mixture's, a half vector's density without its
 // factor 1 / (4 k.h), and half vectors by another exponent.
-#include "render/camera.h"
 #include "render/test_scene.h"
+#include "render/transport/camera.h"
 #include "support/image_comparison.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The thin lens: what is out of focus is blurred over the lens' disc, as seen through the point in focus.
 // Seen to fail with a focus that is a sphere, a lens 2 % too wide or square, places drawn too often in its middle, a
 // lens that is not across the view, and a focal distance 1 % too large.
-#include "render/camera.h"
+#include "render/transport/camera.h"
 
 #include "core/lanes.h"
 #include "render/each_integrator.h"

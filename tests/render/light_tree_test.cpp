@@ -2,7 +2,7 @@
 // Seen to fail with a share of u that is not made up for when u is used again, with a child that is taken for its
 // sibling, with a ball or a cone of half the size, with lights that come to lie in other leaves than is told, with a
 // group's own share left out of the probability, and with groups that are looked for in each other's nodes.
-#include "render/light_tree.h"
+#include "render/transport/light_tree.h"
 
 #include "render/test_scene.h"
 #include "support/chi_square.h"

@@ -2,7 +2,7 @@
 // Seen to fail with an outer medium that is forgotten, air where one of two that overlap is left, all of one material
 // left at once, another medium left for one that was not entered, one met from inside entered twice, and the medium of
 // the eye taken for all of its lens.
-#include "render/media.h"
+#include "render/transport/media.h"
 
 #include "render/converges.h"
 #include "render/each_integrator.h"

@@ -1,8 +1,8 @@
 // The estimated error against the true one, of pictures whose means are known, and what becomes of it in strips, on
 // threads and from pass to pass.
-// Seen to fail with each of these in src/render/noise.cpp: `moved` twice as large, the ratio always 0.5, weights of the
-// pixel alone, no twin in leftAfter, the rest left out.
-#include "render/noise.h"
+// Seen to fail with each of these in src/render/accumulate/noise.cpp: `moved` twice as large, the ratio always 0.5,
+// weights of the pixel alone, no twin in leftAfter, the rest left out.
+#include "render/accumulate/noise.h"
 
 #include "core/random.h"
 #include "render/layer_picture.h"
@@ -94,11 +94,11 @@ public:
 };
 
 struct Picture {
-    Film film;
+    image::Film film;
     RenderResult result;
 
     Picture(const Integrator& integrator, const RenderSettings& settings, int startLine = 0, int lines = height,
-            std::span<const Layer> layers = {})
+            std::span<const image::Layer> layers = {})
         : film(width, height, startLine, lines, layers) {
         Progress progress;
         const std::atomic<bool> stop = false;

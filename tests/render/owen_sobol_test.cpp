@@ -1,7 +1,7 @@
 // The path integrator's random numbers: one sample's are independent over the pixels, one pixel's are spread evenly.
 // Seen to fail with seeds of the four coordinates that share their last bits, with one seed for all points, with a
 // column of Sobol's matrix missing, with the samples' order shuffled over all of them, and with no scrambling.
-#include "render/owen_sobol.h"
+#include "render/transport/owen_sobol.h"
 
 #include "support/chi_square.h"
 

@@ -2,7 +2,7 @@
 // Seen to fail with a sample weighed otherwise, a broken-off block that is kept, an alarm that is not heard, tiles
 // summed in the order in which they end, and without the bound; and not to end where a first pass can be cut off, or
 // each pass starts anew.
-#include "render/passes.h"
+#include "render/accumulate/passes.h"
 
 #include "render/layer_picture.h"
 
@@ -21,11 +21,11 @@ constexpr int width = 37, height = 29;  // no multiple of a tile
 const Camera camera({0, 0, 6}, {0.05, -0.1, -1}, {0, 1, 0}, 50, width, height);
 
 struct Picture {
-    Film film;
+    image::Film film;
     RenderResult result;
     double seconds = 0;
 
-    Picture(const Integrator& integrator, const RenderSettings& settings, std::span<const Layer> layers = {},
+    Picture(const Integrator& integrator, const RenderSettings& settings, std::span<const image::Layer> layers = {},
             const std::atomic<bool>& stop = false)
         : film(width, height, 0, height, layers) {
         Progress progress;
@@ -39,7 +39,7 @@ struct Picture {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 for (int c = 0; c < 3; ++c) numbers.push_back(film.at(x, y)[c]);
-                for (const Layer layer : everyLayer)
+                for (const image::Layer layer : everyLayer)
                     for (const float number : film.at(layer, x, y)) numbers.push_back(number);
             }
         return numbers;
@@ -283,7 +283,7 @@ TEST(Passes, TellHowManySamplesToExpect) {
         settings.threads = 1;
         Progress progress;
         const Watching integrator(progress);
-        Film film(width, height, 0, height);
+        image::Film film(width, height, 0, height);
         render(integrator, camera, settings, film, progress, std::atomic<bool>(false));
         return integrator.expected;
     };
@@ -300,7 +300,7 @@ TEST(Passes, TakeAtMost60BytesAPixelWithTheFilm) {
     RenderSettings settings;
     EXPECT_EQ(sumBytesFor(settings, 1000, 1000), 0);
     settings.noise = 0.1;
-    EXPECT_LE(sumBytesFor(settings, 1000, 1000) + Film::bytesFor(1000, 1000), 59e6) << "the rest is each tile's";
+    EXPECT_LE(sumBytesFor(settings, 1000, 1000) + image::Film::bytesFor(1000, 1000), 59e6) << "the rest is each tile's";
     settings.layers = {"depth"};
     EXPECT_GT(sumBytesFor(settings, 1000, 1000), 100e6);
 }

@@ -1,6 +1,6 @@
 // Where in a pixel its samples lie, and that edges come out as grey as they cover the pixel.
 #include "render/render.h"
-#include "render/sampler.h"
+#include "render/transport/sampler.h"
 #include "support/statistics.h"
 #include "support/test_random.h"
 
@@ -101,12 +101,12 @@ private:
 
 const Camera camera({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 90, 2, 2);
 
-Film renderEdge(const Edge& edge, bool antialiasing, int samples, std::uint64_t seed) {
+image::Film renderEdge(const Edge& edge, bool antialiasing, int samples, std::uint64_t seed) {
     RenderSettings settings;
     settings.antialiasing = antialiasing;
     settings.samplesPerPixel = samples;
     settings.seed = seed;
-    Film film(2, 2, 0, 2);
+    image::Film film(2, 2, 0, 2);
     Progress progress;
     const std::atomic<bool> stop = false;
     render(edge, camera, settings, film, progress, stop);
@@ -116,7 +116,7 @@ Film renderEdge(const Edge& edge, bool antialiasing, int samples, std::uint64_t 
 // Off: every sample goes through the centre, and the edge is a staircase.
 TEST(Antialiasing, OffSendsAllSamplesThroughThePixelsCentre) {
     const Edge edge(0.1, 0.4);
-    const Film film = renderEdge(edge, false, 9, 0);
+    const image::Film film = renderEdge(edge, false, 9, 0);
     EXPECT_EQ(film.at(0, 0), core::Rgbf(1));
     EXPECT_EQ(film.at(0, 1), core::Rgbf(0));
     ASSERT_EQ(edge.places.size(), 36u);

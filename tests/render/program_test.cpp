@@ -1,17 +1,18 @@
 // Pictures that separate runs of grsh make: the same to the byte, and they say what made them.
-#include "render/exr_reader.h"
+#include "image/exr_reader.h"
+#include "image/image_file.h"
+#include "image/pfm_reader.h"
+#include "image/png_reader.h"
+#include "image/temporary_folder.h"
 #include "render/grsh_process.h"
-#include "render/image_file.h"
-#include "render/pfm_reader.h"
-#include "render/png_reader.h"
 #include "render/settings.h"
-#include "render/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 
 namespace render {
+using namespace image;
 namespace {
 
 using testing::Contains;
@@ -136,7 +137,7 @@ TEST_F(Program, HasTheSamePictureInEveryFormat) {
             for (int c = 0; c < 3; ++c) {
                 const float radiance = exr.at(channels[c], x, y + 2);
                 ASSERT_EQ(png.lines[static_cast<std::size_t>(y)][static_cast<std::size_t>(3 * x + c)],
-                          toSrgb8(radiance));
+                          image::toSrgb8(radiance));
                 ASSERT_EQ(pfm.at(x, y)[c], radiance);
                 ASSERT_EQ(layers.at(channels[c], x, y + 2), radiance);
             }

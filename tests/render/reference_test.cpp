@@ -43,7 +43,7 @@ public:
         settings.seed = seed;
         settings.samplesPerPixel = samples;
         const Camera camera({0, 0, 0.95}, {0, 0, -1}, {0, 1, 0}, 60, size, size);
-        Film film(size, size, 0, size);
+        image::Film film(size, size, 0, size);
         Progress progress;
         const std::atomic<bool> stop = false;
         render(radiometer_->integrator(), camera, settings, film, progress, stop);

@@ -27,7 +27,7 @@ struct Picture {
 
 Picture renderLines(const Integrator& integrator, const RenderSettings& settings, int startLine = 0, int lines = height,
                     const Camera& camera = render::camera) {
-    Film film(width, height, startLine, lines);
+    image::Film film(width, height, startLine, lines);
     Progress progress;
     const std::atomic<bool> stop = false;
     Picture picture;

@@ -15,7 +15,7 @@ constexpr int height = 29;
 const Camera camera({0, 0, 6}, {0.05, -0.1, -1}, {0, 1, 0}, 50, width, height);
 
 struct Picture {
-    Film film{width, height, 0, height};
+    image::Film film{width, height, 0, height};
     RenderResult result;
 
     Picture(const Integrator& integrator, const RenderSettings& settings, const std::atomic<bool>& stop = false) {

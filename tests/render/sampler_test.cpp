@@ -1,7 +1,7 @@
 // The random numbers of a path: what they depend on, and that nothing else connects them.
 // Seen to fail with a sampler that ignores the seed's upper half, one that knows a pixel by x + y, one that repeats its
 // numbers, one that goes on with the next sample's, two rounds of Philox, and numbers squeezed towards 0 by 0.5 %.
-#include "render/sampler.h"
+#include "render/transport/sampler.h"
 
 #include "support/histogram.h"
 

@@ -1,9 +1,9 @@
 // Scenes that tests build by hand, and the light that is measured in them.
 #pragma once
 
-#include "gr/database.h"
+#include "gr/database/database.h"
 #include "gr/scene.h"
-#include "render/integrator.h"
+#include "render/transport/integrator.h"
 #include "support/statistics.h"
 
 namespace render {

@@ -20,7 +20,8 @@ TEST(VarianceLayer, IsThatOfPixelsOverManySeeds) {
     // So far up that all pixels see one place.
     const int size = 180;
     const Camera camera({-0.3, 0.9, 0}, {0, -1, 0}, {0, 0, 1}, 1e-5, size, size);
-    const Film film = layersOf(radiometer.integrator(), camera, scene.settings, Film(size, size, 0, size, everyLayer));
+    const image::Film film =
+        layersOf(radiometer.integrator(), camera, scene.settings, image::Film(size, size, 0, size, everyLayer));
 
     for (int channel = 0; channel < 3; ++channel) {
         support::RunningMean pixels;
@@ -32,7 +33,8 @@ TEST(VarianceLayer, IsThatOfPixelsOverManySeeds) {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
                 const double deviation = double(film.at(x, y)[channel]) - pixels.mean();
-                const double variance = double(film.at(Layer::variance, x, y)[static_cast<std::size_t>(channel)]);
+                const double variance =
+                    double(film.at(image::Layer::variance, x, y)[static_cast<std::size_t>(channel)]);
                 difference.add(deviation * deviation * bias - variance);
                 layer.add(variance);
             }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gr/accelerators/wide_tree.h"
-#include "gr/pack.h"
+#include "gr/mesh/pack.h"
 #include "gr/scene.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 // The scene in trees of boxes: one over its objects, and one in each mesh, which all the mesh's instances share.
 #pragma once
 
-#include "gr/accelerator.h"
+#include "gr/accelerators/accelerator.h"
 #include "gr/accelerators/object_pack.h"
 #include "gr/accelerators/wide_tree.h"
 #include "gr/scene.h"

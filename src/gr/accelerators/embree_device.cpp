@@ -1,7 +1,7 @@
 #include "gr/accelerators/embree_device.h"
 
 #include "core/error.h"
-#include "gr/embree_library.h"
+#include "gr/accelerators/embree_library.h"
 
 namespace gr {
 

@@ -1,8 +1,8 @@
 #include "gr/accelerators/tree_accelerator.h"
 
 #include "core/error.h"
+#include "gr/accelerators/embree_library.h"
 #include "gr/accelerators/tree_tracer.h"
-#include "gr/embree_library.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,8 +1,8 @@
 #include "gr/accelerators/wide_tree.h"
 
 #include "core/parallel.h"
-#include "gr/embree_library.h"
-#include "gr/parts.h"
+#include "gr/accelerators/embree_library.h"
+#include "gr/mesh/parts.h"
 
 #include <array>
 #include <bit>

@@ -1,0 +1,105 @@
+// The scene that a script builds: a tree of nodes, materials and lights by name.
+// Every function throws core::Error with a message that names the word that is wrong, and then has changed nothing.
+#pragma once
+
+#include "core/error.h"
+#include "gr/database/node.h"
+#include "gr/light.h"
+#include "gr/mesh/mesh_file.h"
+
+#include <array>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace gr {
+
+// What a database holds.
+struct DatabaseStatistics {
+    // Nodes of each kind, as NodeContent lists them; the root is none of them.
+    std::array<std::size_t, std::variant_size_v<NodeContent>> nodes{};
+    double objects = 0;  // of the whole tree once its instances are spread out; see object_count.h
+    // A mesh that several nodes show is one.
+    std::size_t meshes = 0, triangles = 0;
+    std::size_t materials = 0, lights = 0;
+    // Memory that is allocated: for the nodes, their names and matrices, and the tables that find them; for the meshes;
+    // for materials and the lights that have names.
+    std::size_t nodeBytes = 0, meshBytes = 0, materialBytes = 0;
+};
+
+class Database {
+public:
+    Database();
+    ~Database();
+    Database(const Database&) = delete;
+    Database& operator=(const Database&) = delete;
+
+    // Makes a node and returns it. parent: full path.
+    Node& create(std::string_view parent, std::string_view name, NodeContent content);
+    Node& createInstance(std::string_view parent, std::string_view name, std::string_view target);
+
+    // Each post-multiplies the node's matrix: the last one acts first on the geometry.
+    void translate(std::string_view node, const glm::dvec3& by);
+    void rotate(std::string_view node, int axis, double degrees);
+    void scale(std::string_view node, const glm::dvec3& about, const glm::dvec3& by);
+
+    void addMaterial(std::string_view name, const materials::Material& material);
+    void setMaterial(std::string_view node, std::string_view material);
+    void addLight(std::string_view name, const NamedLight& light);
+
+    void remove(std::string_view node);
+    void reset();
+    // The subtree as indented text, a node a line; behind the whole tree the lights that have names, a light a line.
+    std::string print(std::string_view node) const;
+
+    const Node& find(std::string_view path) const;
+    const NamedLight& light(std::string_view name) const;
+    // Throws unless a node of that name may be made there.
+    void checkNew(std::string_view parent, std::string_view name) const;
+    // The polyhedron in a mesh file; see MeshFiles.
+    std::shared_ptr<const Polyhedron> readMesh(const std::string& path, std::string_view name, MeshRepairs& repairs) {
+        return meshFiles_.read(path, name, repairs);
+    }
+    std::size_t nodeCount() const { return index_.size() + 1; }
+    // Takes time in proportion to the number of nodes.
+    DatabaseStatistics statistics() const;
+
+private:
+    // A node is found by its parent and its name.
+    struct Key {
+        const Node* parent;
+        std::string_view name;
+        bool operator==(const Key&) const = default;
+    };
+    struct Hash {
+        using is_transparent = void;
+        std::size_t operator()(const Key& key) const;
+        std::size_t operator()(const std::unique_ptr<Node>& node) const {
+            return (*this)(Key{node->parent, node->name});
+        }
+    };
+    struct Equal {
+        using is_transparent = void;
+        static Key key(const Key& key) { return key; }
+        static Key key(const std::unique_ptr<Node>& node) { return {node->parent, node->name}; }
+        bool operator()(const auto& a, const auto& b) const { return key(a) == key(b); }
+    };
+
+    const Node* child(const Node& parent, std::string_view name) const;
+    Node& get(std::string_view path);
+    [[noreturn]] void throwUnknownNode(std::string_view path) const;
+    void checkNoCycle(const Node& parent, const Node& target) const;
+    // Throws when an instance that is not in `except` stands for the node.
+    void checkNotInstanced(const Node& node, const std::unordered_set<const Node*>& except) const;
+    void multiply(std::string_view node, const glm::dmat4& matrix);
+    void erase(const Node& node);
+    std::string namedLightsText() const;
+
+    Node root_;
+    std::unordered_set<std::unique_ptr<Node>, Hash, Equal> index_;
+    std::unordered_map<const Node*, std::unordered_set<const Node*>> instancesOf_;
+    std::unordered_map<std::string, NamedMaterial> materials_;
+    std::unordered_map<std::string, NamedLight> lights_;
+    MeshFiles meshFiles_;
+};
+
+}  // namespace gr

@@ -1,0 +1,25 @@
+// Mesh files are read by a program of their own, grsh_import: the library that reads them is large, and files from
+// anywhere may make it crash, hang or ask for all memory. Only that program suffers then, and grsh starts without it.
+#pragma once
+
+#include "gr/mesh/polyhedron.h"
+
+namespace gr {
+
+// What grsh_import writes to importChannel: this, and where it has failed the reason; else the vertices (three floats
+// each), the corners, the faces' ends and the corners' normals, as FlatMesh has them.
+struct ImportHeader {
+    std::uint32_t errorLength = 0;  // 0: it went well
+    std::uint32_t vertices = 0;
+    std::uint32_t corners = 0;
+    std::uint32_t ends = 0;
+    std::uint32_t normals = 0;
+    std::uint32_t linesAndPoints = 0;
+};
+inline constexpr int importChannel = 3;
+
+// No two of its vertices are at one place. Throws core::Error whose text is the reason. repairs: counts what is no
+// face.
+FlatMesh importMesh(const std::string& path, MeshRepairs& repairs);
+
+}  // namespace gr

@@ -1,0 +1,103 @@
+// A polygon mesh, cut into triangles that know nothing of materials or places.
+#pragma once
+
+#include "core/bounds.h"
+#include "gr/hit.h"
+#include "gr/mesh/octahedral.h"
+#include "gr/mesh/triangle.h"
+#include "gr/shapes/surface.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gr {
+
+struct PackRay;
+struct TrianglePack;
+
+// Vertices and faces as a script gives them; a face lists its vertices, from 0, in the order of its outline.
+struct PolygonMesh {
+    std::vector<glm::dvec3> vertices;
+    std::vector<std::vector<int>> faces;
+};
+
+// The same in few arrays, as a million faces are kept.
+struct FlatMesh {
+    std::vector<glm::dvec3> vertices;
+    std::vector<int> corners;  // the vertices of all faces, one face after another
+    std::vector<int> ends;  // of each face in `corners`; empty: all faces are triangles
+    std::vector<PackedNormal> normals;  // of each corner, for shading; or empty
+
+    FlatMesh() = default;
+    explicit FlatMesh(const PolygonMesh& mesh);
+
+    int faceCount() const { return static_cast<int>(ends.empty() ? corners.size() / 3 : ends.size()); }
+    int begin(int face) const { return ends.empty() ? 3 * face : face == 0 ? 0 : ends[face - 1]; }
+    int end(int face) const { return ends.empty() ? 3 * face + 3 : ends[face]; }
+    std::span<const int> face(int face) const { return {&corners[begin(face)], &corners[0] + end(face)}; }
+};
+
+// What was mended while a polyhedron was made.
+struct MeshRepairs {
+    int mergedVertices = 0;  // at the very place of an earlier one
+    int droppedVertices = 0;  // repeated within a face, or there and straight back again
+    int droppedFaces = 0;  // without area
+    int turnedFaces = 0;  // wound against their neighbours
+    int crossingFaces = 0;  // dropped because their outline crosses itself
+    int linesAndPoints = 0;  // left out
+
+    std::string text() const;  // empty when nothing was mended
+};
+
+class Polyhedron {
+public:
+    ~Polyhedron();
+    // Throws core::Error for a face that is not simple (its outline crosses itself) and for a mesh without any area.
+    // mesh: indices within range, finite coordinates, at least three indices to a face.
+    static std::shared_ptr<const Polyhedron> make(const PolygonMesh& mesh, MeshRepairs& repairs);
+    // The same for a mesh from elsewhere: no two of its vertices are at one place, and a face that is not simple is
+    // dropped.
+    static std::shared_ptr<const Polyhedron> make(FlatMesh mesh, MeshRepairs& repairs);
+
+    // Replaces `nearest` by the hit of a triangle that comes before it. instance: what stands here for the polyhedron.
+    void intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const;
+    bool occluded(const PackRay& ray) const;
+    // The same for one of the packs that the triangles lie in, near ones together.
+    void intersect(const PackRay& ray, std::uint32_t pack, std::uint32_t instance, Hit& nearest) const;
+    bool occluded(const PackRay& ray, std::uint32_t pack) const;
+    std::size_t packCount() const;
+    core::Bounds packBounds(std::uint32_t pack) const;
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const HitOf<Real>& hit,
+                               const core::Vec3<Real>& margin) const;  // polyhedron_surface.h
+
+    // Whether it has normals of its own for shading,
+    bool hasNormals() const { return !normals_.empty(); }
+    // and the one at a hit, outwards, not of unit length; it may be 0.
+    template<class Real>
+    core::Vec3<Real> shadingNormal(const HitOf<Real>& hit) const;  // likewise
+
+    core::Bounds bounds() const { return bounds_; }
+    float extent() const { return bounds_.reach(); }  // the largest coordinate
+    std::size_t triangleCount() const { return triangleCount_; }
+    core::Vec3f vertex(std::uint32_t triangle, int corner) const;
+    std::span<const PackedNormal> normals() const { return normals_; }  // of each triangle's three corners, or none
+    std::size_t bytes() const;
+
+private:
+    template<class Real>
+    core::Vec3<Real> cornerOf(const core::UInt<Real>& triangle, int corner) const;
+
+    Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles);
+    void setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);
+
+    std::unique_ptr<TrianglePack[]> packs_;
+    std::vector<PackedNormal> normals_;  // of each triangle's three corners, or empty
+    std::size_t triangleCount_ = 0;
+    core::Bounds bounds_;
+};
+
+}  // namespace gr

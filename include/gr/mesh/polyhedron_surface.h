@@ -1,0 +1,51 @@
+// Where rays met triangles of a polyhedron, for each lane.
+#pragma once
+
+#include "gr/mesh/pack.h"
+
+namespace gr {
+
+// The packs are nothing but floats, so that lanes can gather a triangle's from them.
+template<class Real>
+core::Vec3<Real> Polyhedron::cornerOf(const core::UInt<Real>& triangle, int corner) const {
+    using UInt = core::UInt<Real>;
+    static_assert(packWidth == 4 && sizeof(TrianglePack) == 36 * sizeof(float));
+    const UInt first = (triangle >> 2) * UInt(36) + (triangle & UInt(3));
+    const float* floats = &packs_[0].vertex[corner][0][0];
+    const auto axis = [&](int k) { return core::gather(floats + packWidth * k, first); };
+    return {axis(0), axis(1), axis(2)};
+}
+
+template<class Real>
+ShapePoint<Real> Polyhedron::surfaceAt(const core::Ray<Real>& ray, const HitOf<Real>& hit,
+                                       const core::Vec3<Real>& margin) const {
+    const core::Vec3<Real> a = cornerOf<Real>(hit.triangle, 0), b = cornerOf<Real>(hit.triangle, 1),
+                           c = cornerOf<Real>(hit.triangle, 2);
+    // To the last bits: rounded, a thin triangle's normal would be turned along it by more than the offset allows for.
+    const core::Vec3<Real> e = b - a, f = c - a;
+    const core::Vec3<Real> normal(differenceOfProducts(e.y, f.z, e.z, f.y), differenceOfProducts(e.z, f.x, e.x, f.z),
+                                  differenceOfProducts(e.x, f.y, e.y, f.x));
+    // A vertex's weight is the distance from the edge opposite over the height above it; the smallest height stands on
+    // the longest edge. To be clear of the face beyond an edge takes 1 / sin(angle) times the margin where they meet at
+    // an acute angle: 4 is enough for 15 degrees.
+    const core::Vec3<Real> g = c - b;
+    const Real longest = core::max(core::max(Real(glm::dot(e, e)), Real(glm::dot(g, g))), Real(glm::dot(f, f)));
+    const Real square = glm::dot(margin, margin) * longest / glm::dot(normal, normal);
+    const Real least = core::min(Real(4) * core::sqrt(square), Real(0.25f));
+    const Real b0 = core::max(Real(1) - hit.b1 - hit.b2, least);
+    const Real b1 = core::max(hit.b1, least), b2 = core::max(hit.b2, least);
+    const core::Vec3<Real> position = (a * b0 + b * b1 + c * b2) / (b0 + b1 + b2);
+    return {position, normal, glm::dot(ray.direction, normal) < Real(0)};
+}
+
+template<class Real>
+core::Vec3<Real> Polyhedron::shadingNormal(const HitOf<Real>& hit) const {
+    using UInt = core::UInt<Real>;
+    const auto* packed = reinterpret_cast<const float*>(normals_.data());
+    const auto corner = [&](std::uint32_t k) {
+        return unpackNormal<Real>(core::bitsAsUInt(core::gather(packed, UInt(hit.triangle * UInt(3) + UInt(k)))));
+    };
+    return corner(0) * (Real(1) - hit.b1 - hit.b2) + corner(1) * hit.b1 + corner(2) * hit.b2;
+}
+
+}  // namespace gr

@@ -1,0 +1,80 @@
+// A part of the picture: what one thread renders at a time.
+#pragma once
+
+#include "render/accumulate/pixel_layers.h"
+#include "render/render.h"
+#include "render/transport/integrator.h"
+
+namespace render {
+
+inline constexpr int tileSize = 16;  // pixels: small enough that the last tiles keep every thread busy
+
+// The mean of a pixel's finite samples; in double, or a million of them would drown the last.
+struct PixelSum {
+    glm::dvec3 sum{0};
+    int kept = 0;
+    core::Rgbf before{0};  // the mean when the number of samples was last a power of two
+
+    core::Rgbf mean() const { return kept == 0 ? core::Rgbf(0) : core::Rgbf(sum / static_cast<double>(kept)); }
+};
+
+// Pixels (left, top) to (right - 1, bottom - 1).
+struct Tile {
+    int left, top, right, bottom;
+    int samples = 0;  // of each pixel
+    std::vector<PixelSum> pixels = {};
+    std::vector<PixelLayers> layers = {};  // empty unless the film has some
+
+    void store(image::Film& film) const;
+};
+
+// Work done since progress was last told of it: shared counters are touched now and then only.
+class Tally {
+public:
+    explicit Tally(Progress& progress) : progress_(progress) {}
+
+    RayCounts rays;
+    std::uint64_t samples = 0;
+    std::uint64_t dropped = 0;
+
+    void count(std::uint64_t more) {
+        samples += more;
+        tell();
+    }
+
+private:
+    void tell() {
+        progress_.samples.fetch_add(samples - toldSamples_, std::memory_order_relaxed);
+        progress_.rays.fetch_add(rays.total() - toldRays_, std::memory_order_relaxed);
+        toldSamples_ = samples;
+        toldRays_ = rays.total();
+    }
+
+    Progress& progress_;
+    std::uint64_t toldSamples_ = 0;
+    std::uint64_t toldRays_ = 0;
+};
+
+// Adds one thread's samples to its tiles, block after block.
+class TileSums {
+public:
+    TileSums(bool hasLayers, Progress& progress) : tally(progress), hasLayers_(hasLayers) {}
+
+    Samples samples;  // of the block
+    Tally tally;
+    NoiseSteps noise;
+
+    // What comes next of the tile's samples up to `end`; `samples` has room for it then.
+    SampleBlock next(Tile& tile, int end);
+    // Adds the block's samples, once they are there.
+    void add(Tile& tile, const SampleBlock& block, int end);
+
+private:
+    void addSamples(Tile& tile, const SampleBlock& block);
+    void measureNoise(const Tile& tile);
+
+    bool hasLayers_;
+    std::vector<core::Rgbf> before_, after_;
+};
+
+}  // namespace render

@@ -1,0 +1,28 @@
+#include "image/film.h"
+
+namespace image {
+
+Film::Film(int width, int height, int startLine, int lines, std::span<const Layer> layers)
+    : width_(width),
+      height_(height),
+      startLine_(startLine),
+      lines_(lines),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(lines)),
+      hasLayers_(!layers.empty()) {
+    for (const Layer layer : layers)
+        layers_[static_cast<std::size_t>(layer)].resize(pixels_.size() * channelsOf(layer).size());
+}
+
+double Film::bytesFor(int width, int lines, std::span<const Layer> layers) {
+    std::size_t bytesPerPixel = sizeof(core::Rgbf);
+    for (const Layer layer : layers) bytesPerPixel += channelsOf(layer).size() * sizeof(float);
+    return static_cast<double>(bytesPerPixel) * width * lines;
+}
+
+std::size_t Film::bytes() const {
+    std::size_t bytes = pixels_.size() * sizeof(core::Rgbf);
+    for (const std::vector<float>& numbers : layers_) bytes += numbers.size() * sizeof(float);
+    return bytes;
+}
+
+}  // namespace image

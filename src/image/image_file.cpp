@@ -1,0 +1,136 @@
+#include "image/image_file.h"
+
+#include "core/error.h"
+#include "image/image_readers.h"
+#include "image/image_writers.h"
+#include "image/temporary_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+namespace image {
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& why) {
+    throw core::Error("FILE", "WRITE", path, "cannot write \"" + path + "\": " + why);
+}
+
+// The file that a path means: links are followed, also to what is not there yet, so that the link stays and what it
+// names is written.
+fs::path resolve(const std::string& path) {
+    constexpr int mostLinks = 40;  // as Linux has it
+    fs::path target(path);
+    std::error_code failed;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, failed)); ++links) {
+        if (links == mostLinks) fail(path, std::make_error_code(std::errc::too_many_symbolic_link_levels).message());
+        target = target.parent_path() / fs::read_symlink(target, failed);
+    }
+    const fs::file_status status = fs::status(target, failed);
+    if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it is not a file");
+    if (failed && status.type() != fs::file_type::not_found) fail(path, failed.message());
+    return target;
+}
+
+struct Format {
+    std::string_view ending;
+    bool holdsLayers;
+    void (*writeFilm)(std::FILE*, const Film&, double exposure, const Metadata&);
+    void (*writeImage)(std::FILE*, const Image&);
+    Image (*read)(std::FILE*);
+};
+
+constexpr std::array<Format, 3> formats{{
+    {".png", false, writePng, writePng, readPng},
+    {".exr", true, writeExr, writeExr, readExr},
+    {".pfm", false, writePfm, writePfm, readPfm},
+}};
+
+std::string endingOf(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending;
+}
+
+// what: that cannot be done to a file of no such ending, e.g. "write".
+const Format& formatOf(const std::string& path, std::string_view what) {
+    const std::string ending = endingOf(path);
+    std::vector<std::string_view> endings;
+    for (const Format& format : formats) {
+        if (ending == format.ending) return format;
+        endings.push_back(format.ending);
+    }
+    throw core::Error(
+        "FILE", "ENDING", path,
+        "cannot " + std::string(what) + " \"" + path + "\": the file's ending must be " + core::listed(endings));
+}
+
+}  // namespace
+
+ImageFile::ImageFile(const std::string& path, std::span<const Layer> layers) : path_(path) {
+    const Format& format = formatOf(path, "write");
+    if (!layers.empty() && !format.holdsLayers)
+        throw core::Error("FILE", "LAYERS", path,
+                          "cannot write \"" + path + "\": with layers the file's ending must be .exr");
+    target_ = resolve(path);
+    // The one sure way to know whether a file can be made in a folder, for every user and every file system.
+    TemporaryFile probe(target_, path);
+}
+
+template<class Write>
+void ImageFile::writeWith(const Write& write) const {
+    TemporaryFile file(target_, path_);
+    try {
+        write(formatOf(path_, "write"), file.stream());
+    } catch (const core::Error& error) {
+        fail(path_, error.what());
+    }
+    file.publish();
+}
+
+void ImageFile::write(const Film& film, double exposure, const Metadata& metadata) const {
+    writeWith([&](const Format& format, std::FILE* file) { format.writeFilm(file, film, exposure, metadata); });
+}
+
+void ImageFile::write(const Image& image) const {
+    writeWith([&](const Format& format, std::FILE* file) { format.writeImage(file, image); });
+}
+
+void ImageFile::checkIsNot(const std::string& input) const {
+    std::error_code failed;
+    if (fs::equivalent(target_, input, failed))
+        throw core::Error("FILE", "SAME", path_,
+                          "cannot write \"" + path_ + "\": it is the same file as \"" + input + "\"");
+}
+
+void ImageFile::checkAgainst(const std::string& input) const {
+    checkIsNot(input);
+    formatOf(input, "read");
+    if (endingOf(path_) != endingOf(input))
+        throw core::Error(
+            "FILE", "ENDING", path_,
+            "cannot write \"" + path_ + "\": its ending must be " + endingOf(input) + ", that of \"" + input + "\"");
+}
+
+Image readImage(const std::string& path) {
+    const auto refuse = [&](const std::string& why) {
+        throw core::Error("FILE", "READ", path, "cannot read \"" + path + "\": " + why);
+    };
+    const Format& format = formatOf(path, "read");
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (fs::exists(status) && !fs::is_regular_file(status)) refuse("it is not a file");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (file == nullptr) refuse(std::strerror(errno));
+    try {
+        return format.read(file.get());
+    } catch (const core::Error& error) {
+        throw core::Error(error.topic, error.reason, path, "cannot read \"" + path + "\": " + error.what());
+    }
+}
+
+}  // namespace image
