@@ -23,25 +23,42 @@ void checkMemory(const Node& top, double objects) {
                               " of memory; " + core::memoryText(available) + " are free");
 }
 
-// The largest sums of a row's absolute values:
-struct RowSums {
-    double norm = 0;  // in worldFromObject
-    double thereAndBack = 0;  // in |worldFromObject| |objectFromWorld|
-    double backTranslation = 0;  // in |worldFromObject| |objectFromWorld's translation|
+double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
-    RowSums(const glm::dmat4& matrix, const glm::dmat4& inverse) {
-        for (int row = 0; row < 3; ++row) {
-            double rowNorm = 0, rowThereAndBack = 0, rowBackTranslation = 0;
-            for (int k = 0; k < 3; ++k) {
-                const double entry = std::abs(matrix[k][row]);
-                rowNorm += entry;
-                rowBackTranslation += entry * std::abs(inverse[3][k]);
-                for (int column = 0; column < 3; ++column) rowThereAndBack += entry * std::abs(inverse[column][k]);
-            }
-            norm = std::max(norm, rowNorm);
-            thereAndBack = std::max(thereAndBack, rowThereAndBack);
-            backTranslation = std::max(backTranslation, rowBackTranslation);
-        }
+glm::dmat3 absolute(const glm::dmat4& matrix) {
+    return {glm::abs(glm::dvec3(matrix[0])), glm::abs(glm::dvec3(matrix[1])), glm::abs(glm::dvec3(matrix[2]))};
+}
+
+// The largest absolute coordinates of any point of a shape, along each of its own axes; of one that is endless 0.
+glm::dvec3 extentOf(const Shape& shape) {
+    const auto extent = [](const core::Bounds& bounds) {
+        return glm::dvec3(glm::max(glm::abs(bounds.low), glm::abs(bounds.high)));
+    };
+    const auto visit = [&]<class S>(const S& s) {
+        if constexpr (std::is_pointer_v<S>)
+            return extent(s->bounds());
+        else
+            return S::isEndless ? glm::dvec3(0) : extent(s.bounds());
+    };
+    return std::visit(visit, shape);
+}
+
+// What a placement makes of numbers that are each off by no more than so much, row by row, at the most:
+struct Sizes {
+    double extent = 0;  // |worldFromObject| |the shape's extent|
+    double thereAndBack = 0;  // |worldFromObject| |objectFromWorld| |1|
+    double extentThereAndBack = 0;  // |worldFromObject| |objectFromWorld| |worldFromObject| |the shape's extent|
+    double backTranslation = 0;  // |worldFromObject| |objectFromWorld's translation|
+
+    Sizes(const glm::dmat4& matrix, const glm::dmat4& inverse, const Shape& shape) {
+        const glm::dmat3 there = absolute(matrix), back = absolute(inverse);
+        const glm::dvec3 inWorld = there * extentOf(shape);
+        extent = largest(inWorld);
+        thereAndBack = largest(there * (back * glm::dvec3(1)));
+        extentThereAndBack = largest(there * (back * inWorld));
+        backTranslation = largest(there * glm::abs(glm::dvec3(inverse[3])));
     }
 };
 
@@ -91,16 +108,16 @@ private:
     void add(const InstanceNode&, const glm::dmat4&) {}
     template<CompleteShapeNode Node>
     void add(const Node& node, const glm::dmat4& matrix) {
-        addInstance(node.shape(), node.placeIn(matrix), node.shape().extent());
+        addInstance(node.shape(), node.placeIn(matrix));
     }
     void add(const PolyhedronNode& node, const glm::dmat4& matrix) {
         if (polyhedra_.insert(node.polyhedron.get()).second) scene_.polyhedra.push_back(node.polyhedron);
-        addInstance(node.polyhedron.get(), matrix, node.polyhedron->extent());
+        addInstance(node.polyhedron.get(), matrix);
     }
     void add(const AreaLightNode& light, const glm::dmat4& matrix) {
         const glm::dmat4 place = glm::scale(glm::translate(matrix, light.centre), glm::dvec3(light.size));
         const auto number = static_cast<std::uint32_t>(scene_.lights.of<AreaLight>().size());
-        addInstance(Square{number}, place, Square().extent());
+        addInstance(Square{number}, place);
         scene_.lights.of<AreaLight>().push_back(lampAt(place, light.radiance, scene_.instances.back()));
         lamps_.push_back({scene_.instances.size() - 1, place});
     }
@@ -154,9 +171,9 @@ private:
                 glm::translate(glm::dmat4(1), normalOf(lamp.place) * (0x1p-19 * reach)) * lamp.place;
             Instance& instance = scene_.instances[lamp.instance];
             const glm::dmat4 inverse = glm::inverse(place);
-            const RowSums sums(place, inverse);
-            instance.place = placementOf(place, inverse, sums);
-            instance.error = errorOf(place, sums, Square().extent());
+            const Sizes sizes(place, inverse, instance.shape);
+            instance.place = placementOf(place, inverse, sizes);
+            instance.error = errorOf(place, sizes);
             AreaLight& light = scene_.lights.of<AreaLight>()[i];
             light = lampAt(place, light.radiance, instance);
         }
@@ -175,13 +192,13 @@ private:
         return count == farthest.size() ? 0 : boxes[farthest[count - 1]].reach();
     }
 
-    void addInstance(Shape shape, const glm::dmat4& matrix, float extent) {
+    void addInstance(Shape shape, const glm::dmat4& matrix) {
         const glm::dmat4 inverse = glm::inverse(matrix);
-        const RowSums sums(matrix, inverse);
-        scene_.instances.push_back({placementOf(matrix, inverse, sums), shape, 0, errorOf(matrix, sums, extent)});
+        const Sizes sizes(matrix, inverse, shape);
+        scene_.instances.push_back({placementOf(matrix, inverse, sizes), shape, 0, errorOf(matrix, sizes)});
     }
 
-    Placement placementOf(const glm::dmat4& matrix, const glm::dmat4& inverse, const RowSums& sums) {
+    Placement placementOf(const glm::dmat4& matrix, const glm::dmat4& inverse, const Sizes& sizes) {
         const core::Transform there(matrix), back(inverse);
         if (matrix == glm::dmat4(1)) return {};
         const auto isAligned = [](const core::Transform& m) {
@@ -192,27 +209,28 @@ private:
         };
         if (isAligned(there) && isAligned(back)) return Placement::Aligned{aligned(there), aligned(back)};
         scene_.placements.push_back(std::make_unique<Placement::General>(
-            Placement::General{there, back, static_cast<float>(sums.thereAndBack)}));
+            Placement::General{there, back, static_cast<float>(sizes.thereAndBack)}));
         return Placement(scene_.placements.back().get());
     }
 
     // How far roundings may move a point along an axis on its way from the object to the world and back, in units of
-    // u = 2^-24, the relative size of one. norm is times the extent here, |x| the point's largest coordinate.
+    // u = 2^-24, the relative size of one. |x| is the point's largest coordinate, extent and the like are what Sizes
+    // has: each axis of the object counts by how far the shape reaches along it and by what the matrix makes of that.
+    // What is short but stretched and what is long but not are then as large as they are in the world.
     // A row times a vector makes 4: the entries, the products and two sums.
-    //   6 norm                                    where the shape computes it
-    //   4 norm + |translation| + |x|              in worldFromObject
+    //   6 extent                                  where the shape computes it
+    //   4 extent + |translation| + |x|            in worldFromObject
     //   |x|                                       in the step off the surface
-    //   4 thereAndBack |x| + |back translation| + norm    in objectFromWorld
-    //   17 norm                                   in the next intersection: a triangle's corners, seen along the ray
+    //   4 thereAndBack |x| + |back translation| + extent    in objectFromWorld
+    //   17 extent                                 in the next intersection: a triangle's corners, seen along the ray
     // and for a ray along the surface, which goes on for up to twice the extent,
-    //   2 * 10 norm                               in its direction, out of the frame round the normal
-    //   2 * (4 + 4) thereAndBack norm             in its direction in the object, and in the normal in the world
+    //   2 * 10 extent                             in its direction, out of the frame round the normal
+    //   2 * (4 + 4) extentThereAndBack            in its direction in the object, and in the normal in the world
     // Instance::errorPerUnit is twice what this asks for, since a shadow ray also rounds by how far away it starts.
-    static float errorOf(const glm::dmat4& matrix, const RowSums& sums, float extent) {
-        const double translation = core::largestComponent(core::Vec3f(matrix[3]));
+    static float errorOf(const glm::dmat4& matrix, const Sizes& sizes) {
         constexpr double u = 0x1p-24;
-        return static_cast<float>(
-            u * ((48 + 16 * sums.thereAndBack) * sums.norm * extent + translation + sums.backTranslation));
+        return static_cast<float>(u * (48 * sizes.extent + 16 * sizes.extentThereAndBack +
+                                       largest(glm::dvec3(matrix[3])) + sizes.backTranslation));
     }
 
     // Gives the newest instance its material, and checks that single precision can hold it.

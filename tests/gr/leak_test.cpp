@@ -84,6 +84,17 @@ TEST(Leak, ThinPlank) {
     }
 }
 
+// Long along one axis by itself, and along another by its scale. Seen to fail with an error bound that takes the
+// largest of each, as if the room were a thousand times as long as it is.
+TEST(Leak, LongRoomScaledAlongAnotherAxis) {
+    PolygonMesh room = cubeMesh();
+    for (glm::dvec3& v : room.vertices) v.z *= 1000;
+    expectNoLeak(glm::dvec3(0), rayCount(200'000), [&](Database& database) {
+        database.create(":body", "room", polyhedronNode(room));
+        database.scale(":body:room", glm::dvec3(0), {1000, 1, 1});
+    });
+}
+
 TEST(Leak, PrismOfAThousandSides) {
     constexpr int sides = 1000;
     PolygonMesh mesh;

@@ -81,7 +81,6 @@ public:
     core::Vec3<Real> shadingNormal(const HitOf<Real>& hit) const;  // likewise
 
     core::Bounds bounds() const { return bounds_; }
-    float extent() const { return bounds_.reach(); }  // the largest coordinate
     std::size_t triangleCount() const { return triangleCount_; }
     core::Vec3f vertex(std::uint32_t triangle, int corner) const;
     std::span<const PackedNormal> normals() const { return normals_; }  // of each triangle's three corners, or none

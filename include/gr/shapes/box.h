@@ -77,7 +77,6 @@ struct Box {
         return {flat.uv + core::Vec2<Real>(Real(0.5f)), flat.tangent};
     }
 
-    float extent() const { return 1; }
     core::Bounds bounds() const { return {core::Vec3f(0), core::Vec3f(1)}; }
     core::Vec3f reachUnder(const core::Transform& map) const { return reachOfBox(map, core::Vec3f(0.5f)); }
 };

@@ -40,14 +40,14 @@ struct ConeOf {
         return frustum<Real>().coordinatesAt(point);
     }
 
-    float extent() const { return std::max(top, 1.f); }
-    core::Bounds bounds() const { return {{-extent(), 0, -extent()}, {extent(), 1, extent()}}; }
+    core::Bounds bounds() const { return {{-widest(), 0, -widest()}, {widest(), 1, widest()}}; }
     // Half its axis, and its wider end.
     core::Vec3f reachUnder(const core::Transform& map) const {
-        return glm::abs(map.y) * 0.5f + glm::sqrt(map.x * map.x + map.z * map.z) * extent();
+        return glm::abs(map.y) * 0.5f + glm::sqrt(map.x * map.x + map.z * map.z) * widest();
     }
 
 private:
+    float widest() const { return std::max(top, 1.f); }
     template<class Real>
     Frustum<Real> frustum() const {
         return {Real(top) - Real(1)};

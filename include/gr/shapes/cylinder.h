@@ -33,7 +33,6 @@ struct Cylinder {
         return straight<Real>().coordinatesAt(point);
     }
 
-    float extent() const { return 1; }
     core::Bounds bounds() const { return {{-1, 0, -1}, {1, 1, 1}}; }
     // Half its axis, and its round foot.
     core::Vec3f reachUnder(const core::Transform& map) const {

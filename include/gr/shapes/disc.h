@@ -53,7 +53,6 @@ struct DiscOf {
         return {flat.uv * Real(0.5f) + core::Vec2<Real>(Real(0.5f)), flat.tangent};
     }
 
-    float extent() const { return 1; }
     core::Bounds bounds() const { return {{-1, 0, -1}, {1, 0, 1}}; }
     core::Vec3f reachUnder(const core::Transform& map) const { return glm::sqrt(map.x * map.x + map.z * map.z); }
 };

@@ -39,7 +39,6 @@ struct Plane {
         return flatCoordinates<Real>(point.position, point.normal);
     }
 
-    float extent() const { return 0; }
     core::Bounds bounds() const { return {{-core::infinity, 0, -core::infinity}, {core::infinity, 0, core::infinity}}; }
     // Without end along each of the world's axes that is not the normal.
     core::Vec3f reachUnder(const core::Transform& map) const {

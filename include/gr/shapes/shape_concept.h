@@ -25,7 +25,6 @@ concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, co
     // on from there, a hair off the face, to start on the same side of the faces beyond the edges.
     { shape.surfaceAt(ray, t, margin) } -> std::same_as<ShapePoint<float>>;
     { shape.coordinatesAt(point) } -> std::same_as<Coordinates<float>>;
-    { shape.extent() } -> std::same_as<float>;  // the largest coordinate of any of its points; 0 if it is endless
     { shape.bounds() } -> std::same_as<core::Bounds>;
     // How far it reaches from the middle of its bounds along the world's axes, where `map` puts it.
     { shape.reachUnder(map) } -> std::same_as<core::Vec3f>;

@@ -56,7 +56,6 @@ struct Sphere {
         return {{longitudeOf(p), Real(0.5f) + latitude}, eastOf(p)};
     }
 
-    float extent() const { return 1; }
     core::Bounds bounds() const { return {core::Vec3f(-1), core::Vec3f(1)}; }
     // A sphere reaches as far along each world axis as the root of the sum of squares.
     core::Vec3f reachUnder(const core::Transform& map) const {

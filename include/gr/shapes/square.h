@@ -40,7 +40,6 @@ struct Square {
         return {flat.uv + core::Vec2<Real>(Real(0.5f)), flat.tangent};
     }
 
-    float extent() const { return 0.5f; }
     core::Bounds bounds() const { return {{-0.5f, 0, -0.5f}, {0.5f, 0, 0.5f}}; }
     core::Vec3f reachUnder(const core::Transform& map) const { return reachOfBox(map, {0.5f, 0, 0.5f}); }
 };

@@ -90,8 +90,7 @@ struct TorusOf {
         return {{longitudeOf(p), v}, eastOf<Real>({p.x, Real(0), p.z})};
     }
 
-    float extent() const { return 1 + tube; }
-    core::Bounds bounds() const { return {{-extent(), -tube, -extent()}, {extent(), tube, extent()}}; }
+    core::Bounds bounds() const { return {{-outer(), -tube, -outer()}, {outer(), tube, outer()}}; }
     // The ring, and a ball of the tube's radius at each of its points.
     core::Vec3f reachUnder(const core::Transform& map) const {
         const core::Vec3f ring = map.x * map.x + map.z * map.z;
@@ -99,6 +98,8 @@ struct TorusOf {
     }
 
 private:
+    float outer() const { return 1 + tube; }
+
     // Of the quartic T^4 + 2 (k - 2 (1 - v^2)) T^2 + 8 h v T + ..., where T counts from the line's point nearest to the
     // centre, h is its height, v how much the line rises, and k = nearest^2 + 1 - tube^2: the roots of T^3 + A T + B,
     // smallest first. Those beyond `half` are moved there; of one that is not real another stands in its place.
