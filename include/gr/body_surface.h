@@ -3,6 +3,7 @@
 
 #include "gr/hit.h"
 #include "gr/mesh/polyhedron_surface.h"
+#include "gr/offset.h"
 #include "gr/scene.h"
 #include "gr/surface_point.h"
 
@@ -43,9 +44,7 @@ public:
 private:
     template<class Shape>
     void set(const Shape& shape, SurfacePoint<Real>& surface, bool wantsCoordinates) const {
-        const Real error =
-            Real(instance_.error) +
-            Real(instance_.errorPerUnit()) * core::largestComponent<Real>(ray_.origin + ray_.direction * hit_.t);
+        const Vec3 error = instance_.template errorAt<Real>(ray_.origin + ray_.direction * hit_.t);
         const ShapePoint<Real> point = pointOf(shape, instance_.place.toObject(ray_), marginOf(error));
         const bool isInPlace = instance_.place.isInPlace();
         const core::Transform map = instance_.place.objectFromWorld();
@@ -55,7 +54,7 @@ private:
 
         surface.position = core::select(here_, position, surface.position);
         surface.normal = core::select(here_, normal, surface.normal);
-        surface.error = core::select(here_, error, surface.error);
+        surface.step = core::select(here_, offsetBeyond(error, normal), surface.step);
         surface.material = core::select(here_, Real(static_cast<float>(instance_.material)), surface.material);
         if constexpr (std::is_same_v<Shape, Square>)
             surface.light = core::select(here_, Real(static_cast<float>(shape.light)), surface.light);
@@ -72,13 +71,16 @@ private:
         surface.tangent = core::select(here_, tangent, surface.tangent);
     }
 
-    // No coordinate of the step off the surface is larger than (1 + sqrt(3)) / 2 times the error, and rounding adds the
-    // error once more: 2.4 in all, along each of the world's axes, and so on to the object's.
-    Vec3 marginOf(const Real& error) const {
+    // How far a step off the surface leads along each of the object's axes. Where the error is the same along all axes
+    // no coordinate of the step is larger than (1 + sqrt(3)) / 2 times that, and rounding adds the error once more: 2.4
+    // in all. Where it is not, the step has one coordinate only.
+    Vec3 marginOf(const Vec3& error) const {
+        if (instance_.place.isInPlace()) return error * Real(2.4f);
         const core::Transform map = instance_.place.objectFromWorld();
-        const core::Vec3f unit =
-            instance_.place.isInPlace() ? core::Vec3f(1) : glm::abs(map.x) + glm::abs(map.y) + glm::abs(map.z);
-        return core::broadcast<Real>(unit) * (Real(2.4f) * error);
+        const auto along = [&](const core::Vec3f& column, const Real& size) {
+            return core::broadcast<Real>(glm::abs(column)) * (Real(2.4f) * size);
+        };
+        return along(map.x, error.x) + along(map.y, error.y) + along(map.z, error.z);
     }
 
     template<class Shape>

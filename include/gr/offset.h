@@ -5,10 +5,11 @@
 
 namespace gr {
 
-// The plane moves by the support of the error's cube in the direction of `side`.
+// How far the plane across `side` must move to be beyond all of a box round a point of it: the support of that box in
+// that direction. error: half the box's size along each axis.
 template<class Real>
-core::Vec3<Real> offsetFrom(const core::Vec3<Real>& position, const core::Vec3<Real>& side, const Real& error) {
-    return position + side * (error * (core::abs(side.x) + core::abs(side.y) + core::abs(side.z)));
+Real offsetBeyond(const core::Vec3<Real>& error, const core::Vec3<Real>& side) {
+    return core::abs(side.x) * error.x + core::abs(side.y) * error.y + core::abs(side.z) * error.z;
 }
 
 }  // namespace gr

@@ -56,6 +56,10 @@ public:
     core::Transform worldFromObject() const;
     core::Transform objectFromWorld() const;
     // Of one that is not general.
+    AlignedMap alignedWorldFromObject() const {
+        const auto* aligned = std::get_if<Aligned>(&place_);
+        return aligned != nullptr ? aligned->worldFromObject : AlignedMap{{core::Vec3f(1), core::Vec3f(0)}};
+    }
     AlignedMap alignedObjectFromWorld() const {
         const auto* aligned = std::get_if<Aligned>(&place_);
         return aligned != nullptr ? aligned->objectFromWorld : AlignedMap{{core::Vec3f(1), core::Vec3f(0)}};

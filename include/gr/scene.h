@@ -23,8 +23,8 @@ struct Instance {
     Placement place;
     Shape shape;
     std::uint32_t material = 0;  // index into Scene::materials
-    // How far single precision may put a point of the surface off its true place, there and back from object space:
-    // error + errorPerUnit() * the point's largest world coordinate.
+    // How far single precision may put a point of the surface off its true place along any axis, there and back from
+    // object space: error + errorPerUnit() * the point's largest world coordinate.
     float error = 0;
     float errorPerUnit() const {
         const float condition = place.condition();
@@ -33,7 +33,33 @@ struct Instance {
         return 0x1p-24f * (2 + 10 * condition + ofExtent);
     }
 
+    // The same along each of the world's axes, of a point of the surface: much less, where faces lie across them.
+    template<class Real>
+    core::Vec3<Real> errorAt(const core::Vec3<Real>& point) const {
+        if (isAxisFaced(shape) && !place.isGeneral()) return alignedErrorAt(point);
+        return core::Vec3<Real>(Real(error) + Real(errorPerUnit()) * core::largestComponent(point));
+    }
+
     core::Bounds bounds() const;  // in the world, of every point at which a ray may be reported to hit it
+
+private:
+    // Of world = scale * object + translation, axis by axis, where the face's own coordinate is known exactly. In units
+    // of 2^-24, the relative size of a rounding, with s = |scale * object|, t = |translation| and x = |world|:
+    //   s + s + t + x    there: scale, its product, translation and sum are rounded,
+    //   x                in the step off the surface,
+    //   x + x + t + s    and back likewise.
+    // No more is asked for: on which side of the face a ray starts is told by one sign, and one along the face has
+    // exactly 0 for its direction across it. Half as much again is kept, for second order and for the edges' sake.
+    template<class Real>
+    core::Vec3<Real> alignedErrorAt(const core::Vec3<Real>& point) const {
+        const AlignedMap map = place.alignedWorldFromObject();
+        const core::Vec3f object(isEndless(shape) ? 0.f : 1.f);  // the largest coordinates, but for the face's own
+        const core::Vec3f fixed = (glm::abs(map.scale) * object * 4.5f + glm::abs(map.translation) * 3.f) * 0x1p-24f;
+        core::Vec3<Real> error;
+        for (int axis = 0; axis < 3; ++axis)
+            error[axis] = Real(fixed[axis]) + core::abs(point[axis]) * Real(6 * 0x1p-24f);
+        return error;
+    }
 };
 
 // From a point off a surface to a place on a light, where it ends before it meets the light itself: t from 0 to 1.

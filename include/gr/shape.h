@@ -49,5 +49,15 @@ inline bool isEndless(const Shape& shape) {
         },
         shape);
 }
+inline bool isAxisFaced(const Shape& shape) {
+    return std::visit(
+        []<class S>(const S&) {
+            if constexpr (std::is_pointer_v<S>)
+                return false;
+            else
+                return S::isAxisFaced;
+        },
+        shape);
+}
 
 }  // namespace gr

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/vec.h"
-#include "gr/offset.h"
 
 namespace gr {
 
@@ -17,13 +16,12 @@ struct SurfacePoint {
     // Where on the surface, and in which direction u grows, not of unit length. Only where somebody asks for them.
     core::Vec2<Real> uv;
     core::Vec3<Real> tangent;
-    Real error;  // see Instance
+    Real step;  // how far off the surface a ray must start or end: beyond all that rounding may have moved it
     Real material, light;  // indices into those of the scene; light is -1 where nothing shines
 
     core::Mask<Real> isMet() const { return t < Real(core::infinity); }
-    // Where a ray starts or ends that leaves the surface on the side of the normal (or, negated, on the other): so far
-    // off it that it cannot meet it again, whatever was rounded.
-    core::Vec3<Real> offset(const core::Vec3<Real>& side) const { return offsetFrom(position, side, error); }
+    // Where a ray starts or ends that leaves the surface. side: the normal, or its negative.
+    core::Vec3<Real> offset(const core::Vec3<Real>& side) const { return position + side * step; }
 };
 
 }  // namespace gr

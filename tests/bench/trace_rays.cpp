@@ -20,7 +20,7 @@ void addPath(PathRays& rays, const ScriptScene& of, const gr::Tracer<float>& tra
     const auto surface = tracer.surfaceAt(ray, tracer.nearest(ray, true, counts));
     if (!surface.isMet() || surface.light >= 0) return;
     const core::Vec3f normal = glm::dot(ray.direction, surface.normal) < 0 ? surface.normal : -surface.normal;
-    const core::Vec3f start = gr::offsetFrom(surface.position, normal, surface.error);
+    const core::Vec3f start = surface.offset(normal);
     const auto& lamp = of.scene.lights.of<gr::AreaLight>().at(0);
     const auto light = lamp.sample(surface.position, sampler.next2D());
     if (light.pdfW > 0 && glm::dot(light.wi, normal) > 0) rays.shadow.add(gr::shadowRay(start, lamp, light.target));

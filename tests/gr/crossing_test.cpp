@@ -35,17 +35,17 @@ TEST_P(CrossingTest, GoesInAndOutOnce) {
             const Rayf inside{in.offset(-in.normal), leave(-in.normal, random)};
             const std::optional<Hit> exit = place.accelerator->intersect(inside);
             if (!exit) {
-                missed.add(place.text(), ": error ", in.error);
+                missed.add(place.text(), ": step ", in.step);
                 continue;
             }
             const SurfacePoint out = place.scene.surfaceAt(inside, *exit);
             const float cosine = glm::dot(inside.direction, out.normal);
             if (!(cosine > 0)) fromOutside.add(place.text(), ": t ", exit->t, ", cosine ", cosine);
             const bool hasFaces = !shape_.isRound || shape_.isMesh;
-            if (hasFaces && out.normal == in.normal) sameFace.add(place.text(), ": t ", exit->t, ", error ", in.error);
+            if (hasFaces && out.normal == in.normal) sameFace.add(place.text(), ": t ", exit->t, ", step ", in.step);
             const Rayf outside{out.offset(out.normal), leave(out.normal, random)};
             if (const auto again = place.accelerator->intersect(outside))
-                metAgain.add(place.text(), ": t ", again->t, ", error ", out.error);
+                metAgain.add(place.text(), ": t ", again->t, ", step ", out.step);
         }
     });
     EXPECT_EQ(missed.count(), 0) << missed.text();

@@ -37,7 +37,7 @@ TEST_P(SelfHitTest, FromOutsideItIsNotMetAgain) {
             for (int j = 0; j < 2; ++j) {
                 const Rayf next{surface.offset(side), leave(side, random)};
                 if (const auto again = place.accelerator->intersect(next))
-                    metAgain.add(place.text(), ": t ", again->t, ", error ", surface.error, ", cosine ",
+                    metAgain.add(place.text(), ": t ", again->t, ", step ", surface.step, ", cosine ",
                                  glm::dot(next.direction, side));
             }
         }
@@ -74,7 +74,7 @@ TEST_P(SelfHitInsideTest, FromInsideItIsNeverLeft) {
                 if (cosine < 0) fromOutside.add(place.text(), ": bounce ", bounce, ", t ", hit->t, ", cosine ", cosine);
                 const bool hasFaces = !shape_.isRound || shape_.isMesh;
                 if (hasFaces && surface.normal == lastNormal)
-                    sameFace.add(place.text(), ": bounce ", bounce, ", t ", hit->t, ", error ", surface.error);
+                    sameFace.add(place.text(), ": bounce ", bounce, ", t ", hit->t, ", step ", surface.step);
                 lastNormal = surface.normal;
                 ray = {surface.offset(-surface.normal), leave(-surface.normal, random)};
             }
@@ -105,7 +105,7 @@ TEST(SelfHitPlane, IsMetAgainFromItsFrontAlone) {
             const Rayf next{surface.offset(side), leave(side, random)};
             const auto again = place.accelerator->intersect(next);
             if (!again) continue;
-            if (again->t < 1e4f * surface.error) early.add(place.text(), ": t ", again->t, ", error ", surface.error);
+            if (again->t < 1e4f * surface.step) early.add(place.text(), ": t ", again->t, ", step ", surface.step);
             const SurfacePoint there = place.scene.surfaceAt(next, *again);
             const bool isOnNormalsSide = glm::dot(there.normal, side) > 0;
             if ((glm::dot(next.direction, there.normal) < 0) != isOnNormalsSide)

@@ -93,7 +93,7 @@ TEST_P(ShapeTest, ThePointIsOnTheSurface) {
             const OracleRay back{glm::dvec3(surface.position) + normal * step, -normal};
             const std::optional<OracleHit> there = object_.meet(back);
             if (!there || !there->exists()) continue;
-            EXPECT_NEAR(there->t, step, 2 * surface.error + 1e-6 * size_);
+            EXPECT_NEAR(there->t, step, 2 * surface.step + 1e-6 * size_);
         }
     }
 }

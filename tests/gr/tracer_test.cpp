@@ -40,10 +40,6 @@ private:
     Tracer<float> tracer_;
 };
 
-Vec3f offset(const Surface& surface, const Vec3f& side) {
-    return offsetFrom(surface.position, side, surface.error);
-}
-
 class TracerTest : public testing::TestWithParam<std::size_t> {
 protected:
     TracerTest() : shape_(convexShapes()[GetParam()]) {}
@@ -64,10 +60,10 @@ TEST_P(TracerTest, MeetsWhatIsConvexFromOutsideOnce) {
             if (!(cosine < 0) && !shape_.isFlat && !shape_.isMesh) wrongSide.add(place.text(), ": cosine ", cosine);
             const Vec3f side = shape_.isFlat && cosine > 0 ? -surface.normal : surface.normal;
             for (int j = 0; j < 2; ++j) {
-                const Rayf next{offset(surface, side), leave(side, random)};
+                const Rayf next{surface.offset(side), leave(side, random)};
                 const Surface again = lane.nearest(next);
                 if (again.isMet())
-                    metAgain.add(place.text(), ": t ", again.t, ", error ", surface.error, ", cosine ",
+                    metAgain.add(place.text(), ": t ", again.t, ", step ", surface.step, ", cosine ",
                                  glm::dot(next.direction, side));
             }
         }
@@ -101,9 +97,9 @@ TEST_P(TracerInsideTest, NeverLeavesWhatItIsInside) {
                 if (cosine < 0) fromOutside.add(place.text(), ": bounce ", bounce, ", cosine ", cosine);
                 const bool hasFaces = !shape_.isRound || shape_.isMesh;
                 if (hasFaces && surface.normal == lastNormal)
-                    sameFace.add(place.text(), ": bounce ", bounce, ", t ", surface.t, ", error ", surface.error);
+                    sameFace.add(place.text(), ": bounce ", bounce, ", t ", surface.t, ", step ", surface.step);
                 lastNormal = surface.normal;
-                ray = {offset(surface, -surface.normal), leave(-surface.normal, random)};
+                ray = {surface.offset(-surface.normal), leave(-surface.normal, random)};
             }
         }
     });
@@ -228,7 +224,7 @@ TEST(TracerSurface, IsTheScenes) {
         }
         const float light = expected.light;
         if (light != found.light) wrong.add("light ", found.light, ", expected ", light);
-        if (!(std::abs(expected.error - found.error) <= 1e-3f * expected.error)) wrong.add("error ", found.error);
+        if (!(std::abs(expected.step - found.step) <= 1e-3f * expected.step)) wrong.add("step ", found.step);
         // Both keep places off the edges, each by a way of its own; on the face's plane they are.
         const Vec3f apart = expected.position - found.position;
         if (!(std::abs(glm::dot(apart, expected.normal)) < 2e-5f)) wrong.add("off the plane, t ", found.t);
@@ -258,7 +254,7 @@ TEST(TracerShadow, IsTheAccelerators) {
         const auto u = static_cast<float>(maker.random().next()), v = static_cast<float>(maker.random().next());
         const LightSample<float> sample = light.sample(surface.position, core::Vec2f(u, v));
         if (sample.pdfW == 0 || !(glm::dot(side, sample.wi) > 0)) return;
-        const core::Rayf shadow = shadowRay(offset(surface, side), light, sample.target);
+        const core::Rayf shadow = shadowRay(surface.offset(side), light, sample.target);
         const bool isDark = lane.all().occluded(shadow);
         ++(isDark ? dark : lit);
         different += lane.occluded(shadow) != isDark ? 1 : 0;

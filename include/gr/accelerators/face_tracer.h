@@ -1,6 +1,7 @@
 // What the rays of many paths meet of a scene's flat faces: every ray is tested against every face.
 #pragma once
 
+#include "gr/offset.h"
 #include "gr/scene.h"
 #include "gr/surface_point.h"
 
@@ -133,7 +134,7 @@ private:
         surface.position = core::select(here, position, surface.position);
         surface.normal = core::select(here, normal, surface.normal);
         surface.shadingNormal = core::select(here, normal, surface.shadingNormal);
-        surface.error = core::select(here, error, surface.error);
+        surface.step = core::select(here, offsetBeyond<Real>(Vec3(error), normal), surface.step);
         surface.material = core::select(here, row.number(offsetof(Face, material)), surface.material);
         surface.light = core::select(here, row.number(offsetof(Face, light)), surface.light);
         if (!wantsCoordinates) return;

@@ -50,7 +50,8 @@ struct AreaLightOf {
 
     // A hair before the light; the end is rounded by how far away the ray starts, too.
     core::Vec3<Real> shadowEnd(const core::Vec3<Real>& start, const core::Vec3<Real>& target) const {
-        return offsetFrom<Real>(target, normal, error + errorPerUnit * core::largestComponent(start));
+        const Real most = error + errorPerUnit * core::largestComponent(start);
+        return target + normal * offsetBeyond<Real>(core::Vec3<Real>(most), normal);
     }
 
     // Makes a light of it that brings a part, for a point that asks it so many times on average; 0: never.

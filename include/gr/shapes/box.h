@@ -13,7 +13,7 @@ namespace gr {
 struct Box {
     template<class>
     using With = Box;
-    static constexpr bool isSolid = true, isEndless = false;
+    static constexpr bool isSolid = true, isEndless = false, isAxisFaced = true;
 
     static auto parts(const Box&) { return std::tie(); }
 

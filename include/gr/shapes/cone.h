@@ -14,7 +14,7 @@ template<class Number>
 struct ConeOf {
     template<class Other>
     using With = ConeOf<Other>;
-    static constexpr bool isSolid = true, isEndless = false;
+    static constexpr bool isSolid = true, isEndless = false, isAxisFaced = false;
 
     Number top{0};  // the radius there; 0: it is pointed
 

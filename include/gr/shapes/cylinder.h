@@ -12,7 +12,7 @@ namespace gr {
 struct Cylinder {
     template<class>
     using With = Cylinder;
-    static constexpr bool isSolid = true, isEndless = false;
+    static constexpr bool isSolid = true, isEndless = false, isAxisFaced = false;
 
     static auto parts(const Cylinder&) { return std::tie(); }
 

@@ -14,7 +14,7 @@ template<class Number>
 struct DiscOf {
     template<class Other>
     using With = DiscOf<Other>;
-    static constexpr bool isSolid = false, isEndless = false;
+    static constexpr bool isSolid = false, isEndless = false, isAxisFaced = true;
 
     Number hole{0};  // its radius, less than 1
 

@@ -13,7 +13,7 @@ namespace gr {
 struct Plane {
     template<class>
     using With = Plane;
-    static constexpr bool isSolid = true, isEndless = true;
+    static constexpr bool isSolid = true, isEndless = true, isAxisFaced = true;
 
     static auto parts(const Plane&) { return std::tie(); }
 

@@ -18,6 +18,9 @@ concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, co
     Shape::parts(shape);  // the numbers in which one differs from another, floats, as std::tie makes it
     { Shape::isSolid } -> std::convertible_to<bool>;  // whether it holds what is inside of it
     { Shape::isEndless } -> std::convertible_to<bool>;  // whether no box can hold it
+    // Whether each face lies across an axis, surfaceAt puts points on it exactly, and intersect tells by one sign,
+    // which rounding cannot turn, on which side of it a ray starts: see errorAt in gr/rounding.h.
+    { Shape::isAxisFaced } -> std::convertible_to<bool>;
     // The smallest t with 0 < t < ray.tMax at which the ray meets it, or infinity. Where a ray starts is decided by
     // signs that rounding cannot turn, so that one which starts a hair outside stays outside.
     { shape.intersect(ray) } -> std::same_as<float>;

@@ -13,7 +13,7 @@ namespace gr {
 struct Sphere {
     template<class>
     using With = Sphere;
-    static constexpr bool isSolid = true, isEndless = false;
+    static constexpr bool isSolid = true, isEndless = false, isAxisFaced = false;
 
     static auto parts(const Sphere&) { return std::tie(); }
 

@@ -13,7 +13,7 @@ namespace gr {
 struct Square {
     template<class>
     using With = Square;
-    static constexpr bool isSolid = false, isEndless = false;
+    static constexpr bool isSolid = false, isEndless = false, isAxisFaced = false;
 
     std::uint32_t light = 0;  // index into the area lights of Scene::lights
 

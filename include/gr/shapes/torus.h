@@ -15,7 +15,7 @@ template<class Number>
 struct TorusOf {
     template<class Other>
     using With = TorusOf<Other>;
-    static constexpr bool isSolid = true, isEndless = false;
+    static constexpr bool isSolid = true, isEndless = false, isAxisFaced = false;
 
     Number tube{0.25f};  // its radius, less than 1
 
