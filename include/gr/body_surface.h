@@ -90,11 +90,10 @@ private:
         else
             return shape.surfaceAt(ray, hit_.t, margin);
     }
-    // A mesh that knows none has those of its flat faces.
     template<class Shape>
     static Coordinates<Real> coordinatesOf(const Shape& shape, const ShapePoint<Real>& point) {
         if constexpr (std::is_same_v<Shape, const Polyhedron*>)
-            return flatCoordinates<Real>(point.position, point.normal);
+            return shape->coordinatesAt(point);
         else
             return shape.coordinatesAt(point);
     }

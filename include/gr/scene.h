@@ -1,4 +1,5 @@
-// What is rendered: the scene graph spread out into a flat list, in world space, never changed again.
+// What is rendered: the scene graph spread out into a flat list, in world space but for its origin, never changed
+// again.
 #pragma once
 
 #include "gr/accelerators/accelerator.h"
@@ -12,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace gr {
@@ -76,6 +78,8 @@ public:
     std::vector<std::optional<materials::Interior>> interiors;  // of the materials
     Lights lights;
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
+    glm::dvec3 origin{0};  // in the world; all other coordinates here are relative to it
+    std::vector<std::string> warnings;  // of what single precision cannot show, each a text for the user
     // What many rays at once are tested against, one after the other: the flat faces, if there are few, and some
     // objects that are about as large as all others together, or endless. The others are for the accelerator. Indices
     // of instances.
@@ -93,9 +97,14 @@ public:
     std::size_t bytes() const;
 };
 
+// Where a scene's own origin is: at the world's, so that numbers that a script gives stay as they are; or, if the scene
+// lies farther away from there than it is large, in its middle, so that no digits are spent on telling how far.
+enum class Origin { isTheWorlds, isNear };
+
 // Spreads out the subtree at the path `node`, lit by the area lights in it and the named lights. The node's own
 // transform comes along, those above it do not. Throws core::Error for an unknown node or light, and for a scene that
 // instances multiply beyond the memory of the machine.
-Scene compile(const Database& database, std::string_view node, std::span<const std::string> lights);
+Scene compile(const Database& database, std::string_view node, std::span<const std::string> lights,
+              Origin origin = Origin::isTheWorlds);
 
 }  // namespace gr

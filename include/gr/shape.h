@@ -49,6 +49,7 @@ inline bool isEndless(const Shape& shape) {
         },
         shape);
 }
+core::Bounds boundsOf(const Shape& shape);  // in its own space
 inline bool isAxisFaced(const Shape& shape) {
     return std::visit(
         []<class S>(const S&) {

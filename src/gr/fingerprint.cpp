@@ -68,6 +68,7 @@ void addInstance(Hash& hash, const Instance& instance, const Numbers& polyhedra)
 
 std::uint64_t fingerprint(const Scene& scene) {
     Hash hash;
+    hash.add(core::Vec3f(scene.origin));
     for (const materials::Material& material : scene.materials) addMaterial(hash, material);
     Numbers polyhedra;
     for (const auto& polyhedron : scene.polyhedra) {

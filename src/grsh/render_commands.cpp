@@ -59,7 +59,7 @@ image::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, const r
 
 std::unique_ptr<render::Integrator> makeIntegrator(const RenderJob& job, const gr::Scene& scene,
                                                    const gr::Accelerator& accelerator) {
-    const core::Vec3f eye(job.eye);
+    const core::Vec3f eye(job.eye - scene.origin);
     if (job.settings.integrator == "report")
         return render::makeReportIntegrator(scene, accelerator, job.settings, job.ambient, eye);
     return render::makePathIntegrator(scene, accelerator, job.settings, job.ambient, eye);
@@ -85,8 +85,10 @@ void warnOfNoise(Call& call, const RenderJob& job, const render::RenderResult& r
                    (result.noise ? "but " + render::noiseText(*result.noise) : "too few to tell what is"));
 }
 
-render::RenderResult renderFilm(const RenderJob& job, const render::Integrator& integrator, image::Film& film) {
-    render::Camera camera(job.eye, job.view, job.up, job.fieldOfView, job.width, job.height);
+// eye: in the scene's own space.
+render::RenderResult renderFilm(const RenderJob& job, const glm::dvec3& eye, const render::Integrator& integrator,
+                                image::Film& film) {
+    render::Camera camera(eye, job.view, job.up, job.fieldOfView, job.width, job.height);
     if (job.settings.depthOfField) camera.setLens(job.settings.aperture, job.settings.focalDistance);
     render::Progress progress;
     std::optional<ProgressLine> line;
@@ -98,7 +100,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const auto start = std::chrono::steady_clock::now();
     // Everything that can be wrong is found before the first ray.
     const RenderJob job = readRenderJob(call);
-    const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights);
+    const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights, gr::Origin::isNear);
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
     const image::ImageFile file(job.file, job.layers());
@@ -106,6 +108,8 @@ Tcl_Obj* renderCommand(Call& call) {
         warn(call, "gr_render: " + job.file +
                        ": nothing shines, the picture is black: no lamp and no light named has " +
                        "radiance, and background and ambient are black");
+
+    for (const std::string& text : scene.warnings) warn(call, "gr_render: " + job.file + ": " + text);
 
     // Render.
     const auto buildStart = std::chrono::steady_clock::now();
@@ -115,7 +119,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const auto integrator = makeIntegrator(job, scene, *accelerator);
     image::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
     const auto renderStart = std::chrono::steady_clock::now();
-    const render::RenderResult result = renderFilm(job, *integrator, film);
+    const render::RenderResult result = renderFilm(job, job.eye - scene.origin, *integrator, film);
     const double renderSeconds = secondsSince(renderStart);
     if (!result.finished) throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");
 

@@ -44,10 +44,12 @@ concept TellsAllItsNumbers = requires(Light& light) {
     == sizeof(Light);
 };
 
-// A light without a node in the scene graph tells what gr_print says of it; of the others their nodes do.
+// A light without a node in the scene graph tells what gr_print says of it, and can be moved; of the others their nodes
+// say it, and are placed.
 template<class Light>
-concept HasText = !Light::isNamed || requires(const Light& light) {
+concept HasTextAndPlace = !Light::isNamed || requires(const Light& light, Light& moved, core::Vec3f way) {
     { light.text() } -> std::same_as<std::string>;
+    { moved.moveBy(way) } -> std::same_as<void>;
 };
 
 // A light that a ray can meet tells what it sends back along it, and with which density sample() draws the direction.
@@ -69,6 +71,6 @@ concept CompleteLight = requires(const Light& light, Light& changed, core::Vec3f
     { light.power() } -> std::same_as<double>;
     { light.falloff() } -> std::same_as<core::Vec3f>;
 }
-&&TellsAllItsNumbers<Light>&& HasText<Light>&& CanBeMetOrNot<Light>;
+&&TellsAllItsNumbers<Light>&& HasTextAndPlace<Light>&& CanBeMetOrNot<Light>;
 
 }  // namespace gr

@@ -43,6 +43,7 @@ struct PointLightOf {
     double power() const { return double{core::pi} * (double{intensity.x} + intensity.y + intensity.z) / 3; }
     core::Vec3f falloff() const { return attenuation; }
 
+    void moveBy(const core::Vec3<Real>& way) { position += way; }
     std::string text() const {
         const auto list = [](const core::Vec3f& v) { return " {" + core::optionText(v) + "}"; };
         return "point light" + list(position) + list(intensity) + list(attenuation);

@@ -5,6 +5,7 @@
 #include "gr/hit.h"
 #include "gr/mesh/octahedral.h"
 #include "gr/mesh/triangle.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/surface.h"
 
 #include <cstdint>
@@ -74,13 +75,23 @@ public:
     ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const HitOf<Real>& hit,
                                const core::Vec3<Real>& margin) const;  // polyhedron_surface.h
 
+    // Those of its flat faces, in the space of the vertices it was given.
+    template<class Real>
+    Coordinates<Real> coordinatesAt(const ShapePoint<Real>& point) const {
+        return flatCoordinates<Real>(point.position + core::broadcast<Real>(core::Vec3f(origin_)), point.normal);
+    }
+
     // Whether it has normals of its own for shading,
     bool hasNormals() const { return !normals_.empty(); }
     // and the one at a hit, outwards, not of unit length; it may be 0.
     template<class Real>
     core::Vec3<Real> shadingNormal(const HitOf<Real>& hit) const;  // likewise
 
+    // Where its own space begins, in that of the vertices it was given: in its middle, if it lies farther away than it
+    // is large. All its coordinates are relative to this.
+    const glm::dvec3& origin() const { return origin_; }
     core::Bounds bounds() const { return bounds_; }
+    std::vector<FlatSide> flatSides() const;  // each triangle
     std::size_t triangleCount() const { return triangleCount_; }
     core::Vec3f vertex(std::uint32_t triangle, int corner) const;
     std::span<const PackedNormal> normals() const { return normals_; }  // of each triangle's three corners, or none
@@ -96,6 +107,7 @@ private:
     std::unique_ptr<TrianglePack[]> packs_;
     std::vector<PackedNormal> normals_;  // of each triangle's three corners, or empty
     std::size_t triangleCount_ = 0;
+    glm::dvec3 origin_{0};
     core::Bounds bounds_;
 };
 

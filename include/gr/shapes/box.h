@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
@@ -77,6 +78,16 @@ struct Box {
         return {flat.uv + core::Vec2<Real>(Real(0.5f)), flat.tangent};
     }
 
+    std::vector<FlatSide> flatSides() const {
+        std::vector<FlatSide> sides;
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::dvec3 across(0), edge1(0), edge2(0);
+            across[axis] = edge1[(axis + 1) % 3] = edge2[(axis + 2) % 3] = 1;
+            sides.push_back({glm::dvec3(0), edge2, edge1});
+            sides.push_back({across, edge1, edge2});
+        }
+        return sides;
+    }
     core::Bounds bounds() const { return {core::Vec3f(0), core::Vec3f(1)}; }
     core::Vec3f reachUnder(const core::Transform& map) const { return reachOfBox(map, core::Vec3f(0.5f)); }
 };

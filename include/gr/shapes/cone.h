@@ -40,6 +40,7 @@ struct ConeOf {
         return frustum<Real>().coordinatesAt(point);
     }
 
+    std::vector<FlatSide> flatSides() const { return {squareAcrossY(0, 1, false), squareAcrossY(1, top, true)}; }
     core::Bounds bounds() const { return {{-widest(), 0, -widest()}, {widest(), 1, widest()}}; }
     // Half its axis, and its wider end.
     core::Vec3f reachUnder(const core::Transform& map) const {

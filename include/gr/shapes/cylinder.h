@@ -33,6 +33,7 @@ struct Cylinder {
         return straight<Real>().coordinatesAt(point);
     }
 
+    std::vector<FlatSide> flatSides() const { return {squareAcrossY(0, 1, false), squareAcrossY(1, 1, true)}; }
     core::Bounds bounds() const { return {{-1, 0, -1}, {1, 1, 1}}; }
     // Half its axis, and its round foot.
     core::Vec3f reachUnder(const core::Transform& map) const {

@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
@@ -53,6 +54,7 @@ struct DiscOf {
         return {flat.uv * Real(0.5f) + core::Vec2<Real>(Real(0.5f)), flat.tangent};
     }
 
+    std::vector<FlatSide> flatSides() const { return {squareAcrossY(0, 1, true), squareAcrossY(0, 1, false)}; }
     core::Bounds bounds() const { return {{-1, 0, -1}, {1, 0, 1}}; }
     core::Vec3f reachUnder(const core::Transform& map) const { return glm::sqrt(map.x * map.x + map.z * map.z); }
 };

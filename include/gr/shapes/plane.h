@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
@@ -39,6 +40,7 @@ struct Plane {
         return flatCoordinates<Real>(point.position, point.normal);
     }
 
+    std::vector<FlatSide> flatSides() const { return {squareAcrossY(0, 1e12, true)}; }  // nearly without end
     core::Bounds bounds() const { return {{-core::infinity, 0, -core::infinity}, {core::infinity, 0, core::infinity}}; }
     // Without end along each of the world's axes that is not the normal.
     core::Vec3f reachUnder(const core::Transform& map) const {

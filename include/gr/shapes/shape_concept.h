@@ -3,6 +3,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
@@ -29,6 +30,7 @@ concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, co
     { shape.surfaceAt(ray, t, margin) } -> std::same_as<ShapePoint<float>>;
     { shape.coordinatesAt(point) } -> std::same_as<Coordinates<float>>;
     { shape.bounds() } -> std::same_as<core::Bounds>;
+    { shape.flatSides() } -> std::same_as<std::vector<FlatSide>>;
     // How far it reaches from the middle of its bounds along the world's axes, where `map` puts it.
     { shape.reachUnder(map) } -> std::same_as<core::Vec3f>;
 };

@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
@@ -56,6 +57,7 @@ struct Sphere {
         return {{longitudeOf(p), Real(0.5f) + latitude}, eastOf(p)};
     }
 
+    std::vector<FlatSide> flatSides() const { return {}; }
     core::Bounds bounds() const { return {core::Vec3f(-1), core::Vec3f(1)}; }
     // A sphere reaches as far along each world axis as the root of the sum of squares.
     core::Vec3f reachUnder(const core::Transform& map) const {

@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/surface.h"
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct Square {
         return {flat.uv + core::Vec2<Real>(Real(0.5f)), flat.tangent};
     }
 
+    std::vector<FlatSide> flatSides() const { return {}; }  // lamps are lifted off what they touch
     core::Bounds bounds() const { return {{-0.5f, 0, -0.5f}, {0.5f, 0, 0.5f}}; }
     core::Vec3f reachUnder(const core::Transform& map) const { return reachOfBox(map, {0.5f, 0, 0.5f}); }
 };

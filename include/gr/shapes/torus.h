@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/shapes/flat_side.h"
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
@@ -90,6 +91,7 @@ struct TorusOf {
         return {{longitudeOf(p), v}, eastOf<Real>({p.x, Real(0), p.z})};
     }
 
+    std::vector<FlatSide> flatSides() const { return {}; }
     core::Bounds bounds() const { return {{-outer(), -tube, -outer()}, {outer(), tube, outer()}}; }
     // The ring, and a ball of the tube's radius at each of its points.
     core::Vec3f reachUnder(const core::Transform& map) const {

@@ -91,9 +91,9 @@ private:
         std::array<Coordinates<float>, 3> at;
         for (std::size_t i = 0; i < at.size(); ++i) {
             const ShapePoint<float> point{instance.place.objectFromWorld().point(Vec3f(c[i])), objectNormal, true};
-            const auto* square = std::get_if<Square>(&instance.shape);
+            const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape);
             at[i] =
-                square != nullptr ? square->coordinatesAt(point) : flatCoordinates<float>(point.position, point.normal);
+                mesh != nullptr ? (*mesh)->coordinatesAt(point) : std::get<Square>(instance.shape).coordinatesAt(point);
         }
         return at;
     }

@@ -45,10 +45,22 @@ std::vector<glm::ivec3> makeTriangles(FlatMesh& mesh, Crossing crossing, MeshRep
     return triangles;
 }
 
-TrianglePack makePack(const FlatMesh& mesh, std::span<const glm::ivec3> triangles) {
+// A mesh far away would spend its digits on telling how far.
+glm::dvec3 originFor(const FlatMesh& mesh) {
+    glm::dvec3 low(core::infinity), high(-core::infinity);
+    for (const glm::dvec3& vertex : mesh.vertices) {
+        low = glm::min(low, vertex);
+        high = glm::max(high, vertex);
+    }
+    const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    const glm::dvec3 middle = 0.5 * (low + high);
+    return largest(middle) > 2 * largest(high - low) ? middle : glm::dvec3(0);
+}
+
+TrianglePack makePack(const FlatMesh& mesh, const glm::dvec3& origin, std::span<const glm::ivec3> triangles) {
     TrianglePack pack{};
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const auto corner = [&](int k) { return core::Vec3f(mesh.vertices[mesh.corners[triangles[i][k]]]); };
+        const auto corner = [&](int k) { return core::Vec3f(mesh.vertices[mesh.corners[triangles[i][k]]] - origin); };
         pack.set(static_cast<int>(i), {corner(0), corner(1), corner(2)});
     }
     return pack;
@@ -68,7 +80,8 @@ std::shared_ptr<const Polyhedron> Polyhedron::make(FlatMesh mesh, MeshRepairs& r
 
 Polyhedron::Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles)
     : packs_(std::make_unique_for_overwrite<TrianglePack[]>((triangles.size() + packWidth - 1) / packWidth)),
-      triangleCount_(triangles.size()) {
+      triangleCount_(triangles.size()),
+      origin_(originFor(mesh)) {
     sortIntoPacks(mesh, triangles);
     const std::vector<core::Bounds> bounds =
         ofParts<core::Bounds>(static_cast<int>(packCount()), [&](int first, int end) {
@@ -76,7 +89,7 @@ Polyhedron::Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles)
             for (int i = first; i < end; ++i) {
                 const std::size_t at = static_cast<std::size_t>(i) * packWidth;
                 const std::size_t count = std::min<std::size_t>(packWidth, triangleCount_ - at);
-                packs_[i] = makePack(mesh, std::span(triangles).subspan(at, count));
+                packs_[i] = makePack(mesh, origin_, std::span(triangles).subspan(at, count));
                 box.include(packBounds(static_cast<std::uint32_t>(i)));
             }
             return box;
@@ -125,7 +138,7 @@ private:
 
 void Polyhedron::setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles) {
     constexpr double sixDigits = 1e-6;
-    const double rounding = sixDigits * bounds_.reach();
+    const double rounding = sixDigits * (core::largestComponent(core::Vec3f(origin_)) + bounds_.reach());
     normals_.resize(3 * triangles.size());
     std::atomic<bool> anyIsSmooth = false;
     inParts(static_cast<int>(triangles.size()), [&](int first, int end) {
@@ -146,6 +159,15 @@ Polyhedron::~Polyhedron() = default;
 
 core::Vec3f Polyhedron::vertex(std::uint32_t triangle, int corner) const {
     return packs_[triangle / packWidth].corner(static_cast<int>(triangle % packWidth), corner);
+}
+
+std::vector<FlatSide> Polyhedron::flatSides() const {
+    std::vector<FlatSide> sides;
+    for (std::uint32_t i = 0; i < triangleCount_; ++i) {
+        const glm::dvec3 corner(vertex(i, 0));
+        sides.push_back({corner, glm::dvec3(vertex(i, 1)) - corner, glm::dvec3(vertex(i, 2)) - corner, true});
+    }
+    return sides;
 }
 
 std::size_t Polyhedron::bytes() const {
