@@ -16,6 +16,7 @@ namespace grsh {
 struct Session {
     gr::Database database;
     Value lastRender;  // what the last gr_render returned, or null
+    bool resumes = false;  // the default of gr_render's option resume
 };
 
 // One call of a command.

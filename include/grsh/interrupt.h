@@ -1,4 +1,5 @@
-// Ctrl-C. The signal only marks; the interpreter's own thread acts on the mark between two commands.
+// Ctrl-C, and the signals that ask a process to end: SIGTERM, SIGHUP, SIGXCPU. The signal only marks; the interpreter's
+// own thread acts on the mark between two commands.
 #pragma once
 
 #include <tcl.h>
@@ -8,8 +9,14 @@
 
 namespace grsh {
 
-// True from a Ctrl-C until the shell clears it before the next evaluation: the renderer's stop flag.
+// True from a signal until the shell clears it before the next evaluation: the renderer's stop flag.
 std::atomic<bool>& interrupted();
+// Which it was. A prompt goes on after a Ctrl-C, SIGINT, and ends after any other.
+int interruptSignal();
+// What a process exits with that a signal has ended, as shells have it.
+inline int exitCodeOf(int signal) {
+    return 128 + signal;
+}
 
 // Held by a command while it works long and polls interrupted(): it gives up what it has begun, tidies and returns an
 // error, and no "catch" round it goes on.
@@ -24,12 +31,12 @@ private:
     Tcl_Interp* interp;
 };
 
-// While it lives, Ctrl-C ends the interpreter's evaluation with the error "interrupted", which nothing catches. Where
-// that has had no effect for a second, a second Ctrl-C ends the process.
+// While it lives, these signals end the interpreter's evaluation with the error "interrupted", which nothing catches. A
+// second one ends the process at once. What the process that started this one had ignored stays ignored.
 class InterruptHandler {
 public:
-    // A script is over at its first Ctrl-C, so a command that waits for something and holds no InterruptScope is given
-    // 300 ms, then the process exits 130. A prompt goes on.
+    // A script is over at its first signal, so a command that waits for something and holds no InterruptScope is given
+    // 300 ms, then the process exits. A prompt goes on after a Ctrl-C.
     enum class Runs { script, prompt };
 
     InterruptHandler(Tcl_Interp* interp, Runs runs);

@@ -5,6 +5,6 @@
 
 namespace grsh {
 
-void runPrompt(Tcl_Interp* interp);
+int runPrompt(Tcl_Interp* interp);
 
 }  // namespace grsh

@@ -18,7 +18,8 @@ public:
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     std::FILE* stream() { return stream_; }
-    // Puts it in its place, over what was there. Throws core::Error when not all could be written.
+    // Puts it in its place, over what was there, whose permissions it takes. When that returns it is on the disk, also
+    // if the power fails then. Throws core::Error when not all could be written.
     void publish();
 
 private:
@@ -28,6 +29,13 @@ private:
     std::string name_;
     std::string path_;
     std::FILE* stream_ = nullptr;
+    int registered_ = -1;
 };
+
+// Removes all that are not published yet. A signal handler may call it, and ends the process then.
+void removeTemporaryFiles();
+// Removes from a folder those that processes have left which did not come to their end. What a process still writes it
+// has locked.
+void removeAbandonedFiles(const std::filesystem::path& folder);
 
 }  // namespace image

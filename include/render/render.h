@@ -2,43 +2,44 @@
 #pragma once
 
 #include "image/film.h"
-#include "render/accumulate/noise.h"
+#include "render/accumulate/accumulation.h"
+#include "render/settings.h"
 #include "render/transport/camera.h"
 #include "render/transport/integrator.h"
 
 #include <atomic>
+#include <functional>
 
 namespace render {
 
-// What other threads may look at while a picture is rendered.
-struct Progress {
-    std::atomic<std::uint64_t> samples{0};  // paths done
-    std::atomic<std::uint64_t> rays{0};
-    std::atomic<std::uint64_t> expectedSamples{0};  // in all, as far as can be told; 0: not yet
-};
-
 // Why a render ended.
-enum class StoppedBy { samplesPerPixel, noise, time };
+enum class StoppedBy { samplesPerPixel, noise, time, interrupt };
 
 struct RenderResult {
-    bool finished = false;  // false: stopped before the end, and the film is incomplete
     RayCounts rays;
+    std::uint64_t earlierRays = 0;  // of all, those that were there when it began
     std::uint64_t samples = 0;
     std::uint64_t droppedSamples = 0;  // not finite: left out of their pixel's mean
     int threads = 0;
-    int samplesPerPixel = 0;  // of every pixel; where the time was over within a pass some have more
+    int samplesPerPixel = 0;  // of every pixel; where it was broken off within a pass some have more
     std::optional<double> noise;  // the estimated relative error; fewer than 4 samples tell nothing
     std::optional<NoiseSums> noiseSums;  // what it was estimated from
     StoppedBy stoppedBy = StoppedBy::samplesPerPixel;
 };
 
-// Memory that a render takes beside the film. Where its end is open, pixels' sums are kept from pass to pass.
-double sumBytesFor(const RenderSettings& settings, int width, int lines);
+// What is done with what has been rendered so far, now and then.
+struct Checkpoints {
+    double seconds = 0;  // how often; 0: never
+    std::function<void()> write = {};
+};
 
-// Renders the film's lines. Every sample depends on (seed, pixel, sample number) alone, and a pixel's samples are added
-// in their order: neither the number of threads nor the strips change a bit, and how it was found out how many samples
-// there are does not, either.
-// stop: rendering ends soon after it turns true.
+// Goes on with the accumulation until the settings' samples, noise or time are reached, or until soon after stop has
+// turned true. How that was found out changes no bit of a picture of as many samples.
+RenderResult render(Accumulation& accumulation, const Integrator& integrator, const Camera& camera,
+                    const RenderSettings& settings, Progress& progress, const std::atomic<bool>& stop,
+                    const Checkpoints& checkpoints = {});
+
+// The film's lines, from nothing.
 RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
                     image::Film& film, Progress& progress, const std::atomic<bool>& stop);
 

@@ -27,11 +27,16 @@ struct RenderSettings {
     core::Word lanes = "auto";
     int threads = 0;  // 0: all cores
     bool progress = true;
+    bool resume = false;
+    double checkpoint = 60;  // seconds
+    bool keep = false;
 
     // Whether how many samples a pixel gets is found out while rendering.
     bool isOpenEnded() const { return noise > 0 || time > 0; }
     // How many samples a pixel gets at the most; where it is not open-ended, just so many.
     int mostSamples() const { return samplesPerPixel.value_or(isOpenEnded() ? 1 << 20 : 16); }
+    // How many an even spread over the pixel counts on; 1 where nobody knows.
+    int samplesSpread() const { return isOpenEnded() ? 1 : mostSamples(); }
 
     static std::span<const core::OptionRow<RenderSettings>> options();
 };

@@ -8,16 +8,22 @@
 #include <cerrno>
 #include <chrono>
 
+#include "image/temporary_file.h"
+
 namespace grsh {
 namespace {
 
-constexpr long kSecondCounts = 1000;  // milliseconds after the first Ctrl-C
+// A terminal sends a key's signal to all of a group of processes, one of which may send it on: that is still the first.
+constexpr long kSecondCounts = 100;  // milliseconds
 constexpr std::chrono::milliseconds kGrace(300);
+
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
 std::atomic<bool> isInterrupted = false;
 std::atomic<bool> isActedUpon = false;
 std::atomic<bool> isEnding = false;
 std::atomic<long> firstAt = 0;
+std::atomic<int> firstSignal = 0;
 std::atomic<int> scopes = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<long>::is_always_lock_free);
 sem_t wake;
@@ -29,15 +35,18 @@ long milliseconds() {
 }
 
 // Calls nothing that a signal handler may not call; Tcl_AsyncMark locks, so a thread of its own calls that.
-void onInterrupt(int) {
+void onInterrupt(int number) {
     const int savedErrno = errno;
     const long now = milliseconds();
     if (!isInterrupted.exchange(true)) {
         firstAt = now;
+        firstSignal = number;
         isActedUpon = false;
-    } else if (now - firstAt >= kSecondCounts) {
-        signal(SIGINT, SIG_DFL);
-        raise(SIGINT);
+    } else if (number != SIGXCPU && now - firstAt >= kSecondCounts) {
+        // SIGXCPU comes again every second.
+        image::removeTemporaryFiles();
+        signal(number, SIG_DFL);
+        raise(number);
     }
     sem_post(&wake);
     errno = savedErrno;
@@ -66,7 +75,8 @@ void endScriptThatWaits() {
     }
     constexpr char kMessage[] = "grsh: interrupted\n";
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
-    _exit(130);
+    image::removeTemporaryFiles();
+    _exit(exitCodeOf(firstSignal));
 }
 
 void waitForInterrupts(Tcl_AsyncHandler mark, InterruptHandler::Runs runs) {
@@ -75,7 +85,7 @@ void waitForInterrupts(Tcl_AsyncHandler mark, InterruptHandler::Runs runs) {
         }
         if (isEnding) return;
         Tcl_AsyncMark(mark);
-        if (runs == InterruptHandler::Runs::script) endScriptThatWaits();
+        if (runs == InterruptHandler::Runs::script || firstSignal != SIGINT) endScriptThatWaits();
     }
 }
 
@@ -83,6 +93,10 @@ void waitForInterrupts(Tcl_AsyncHandler mark, InterruptHandler::Runs runs) {
 
 std::atomic<bool>& interrupted() {
     return isInterrupted;
+}
+
+int interruptSignal() {
+    return firstSignal;
 }
 
 InterruptScope::InterruptScope(Tcl_Interp* interp) : interp(interp) {
@@ -97,19 +111,27 @@ InterruptScope::~InterruptScope() {
 InterruptHandler::InterruptHandler(Tcl_Interp* interp, Runs runs) : mark(Tcl_AsyncCreate(onMark, interp)) {
     isEnding = false;
     sem_init(&wake, 0, 0);
-    // The signal is to come to the interpreter's thread, whose waiting for a key then ends.
+    // A signal is to come to the interpreter's thread, whose waiting for a key then ends.
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     marker = std::thread(waitForInterrupts, mark, runs);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    struct sigaction action = {};
-    action.sa_handler = onInterrupt;
-    sigaction(SIGINT, &action, nullptr);
+    for (const int number : kSignals) {
+        struct sigaction action = {}, before = {};
+        sigaction(number, nullptr, &before);
+        if (before.sa_handler == SIG_IGN) continue;
+        action.sa_handler = onInterrupt;
+        sigaction(number, &action, nullptr);
+    }
 }
 
 InterruptHandler::~InterruptHandler() {
-    signal(SIGINT, SIG_DFL);
+    for (const int number : kSignals) {
+        struct sigaction now = {};
+        sigaction(number, nullptr, &now);
+        if (now.sa_handler == onInterrupt) signal(number, SIG_DFL);
+    }
     isEnding = true;
     sem_post(&wake);
     marker.join();

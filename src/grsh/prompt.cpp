@@ -1,6 +1,7 @@
 #include "grsh/prompt.h"
 
 #include <poll.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <string>
@@ -59,16 +60,17 @@ void evaluate(Tcl_Interp* interp, const std::string& command) {
 
 }  // namespace
 
-void runPrompt(Tcl_Interp* interp) {
+int runPrompt(Tcl_Interp* interp) {
     std::string command;
     while (true) {
+        if (interrupted() && interruptSignal() != SIGINT) return exitCodeOf(interruptSignal());
         interrupted() = false;
         showPrompt(interp, !command.empty());
         const Read read = readLine(command);
         if (read == Read::line && !Tcl_CommandComplete(command.c_str())) continue;
         if (read == Read::line) evaluate(interp, command);
         if (read != Read::line) print(TCL_STDOUT, "\n");
-        if (read == Read::end) return;
+        if (read == Read::end) return 0;
         command.clear();
     }
 }

@@ -1,12 +1,14 @@
 #include "core/parallel.h"
-#include "gr/fingerprint.h"
 #include "grsh/commands.h"
 #include "grsh/interrupt.h"
 #include "grsh/option_words.h"
+#include "grsh/picture_words.h"
 #include "grsh/place.h"
 #include "grsh/progress.h"
 #include "grsh/render_job.h"
 #include "grsh/render_report.h"
+#include "grsh/rescue.h"
+#include "grsh/resumption.h"
 #include "image/image_file.h"
 #include "render/render.h"
 
@@ -21,40 +23,6 @@ namespace {
 std::string scriptName(Tcl_Interp* interp) {
     const MainScript* script = mainScript(interp);
     return script == nullptr ? "" : std::filesystem::path(script->typed).filename().string();
-}
-
-// What made the picture; nothing that another run of the same render would have different.
-image::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, const render::RenderResult& result,
-                           Tcl_Interp* interp) {
-    const auto vector = [](const glm::dvec3& v) {
-        return core::numberText(v.x) + " " + core::numberText(v.y) + " " + core::numberText(v.z);
-    };
-    std::string lights;
-    for (const std::string& light : job.lights) lights += (lights.empty() ? "" : " ") + light;
-    image::Metadata metadata{{"Software", "grsh " GRSH_VERSION},
-                             {"Scene", scriptName(interp)},
-                             {"grsh:fingerprint", std::to_string(gr::fingerprint(scene))},
-                             {"grsh:node", job.node},
-                             {"grsh:width", std::to_string(job.width)},
-                             {"grsh:height", std::to_string(job.height)},
-                             {"grsh:eye", vector(job.eye)},
-                             {"grsh:view", vector(job.view)},
-                             {"grsh:up", vector(job.up)},
-                             {"grsh:fov", core::numberText(job.fieldOfView)},
-                             {"grsh:ambient", core::optionText(job.ambient)},
-                             {"grsh:lights", lights}};
-    render::RenderSettings resolved = job.settings;
-    resolved.startLine = job.startLine();
-    resolved.stopLine = job.stopLine();
-    resolved.samplesPerPixel = result.samplesPerPixel;
-    for (const auto& row : render::RenderSettings::options())
-        if (row.inPicture) metadata.emplace_back("grsh:" + std::string(row.name), core::optionText(row, resolved));
-    metadata.emplace_back("grsh:stopped", stoppedText(result.stoppedBy));
-    if (result.noise) {
-        metadata.emplace_back("grsh:noise", render::noiseText(*result.noise));
-        if (job.lines() < job.height) metadata.emplace_back("grsh:noisesums", result.noiseSums->text());
-    }
-    return metadata;
 }
 
 std::unique_ptr<render::Integrator> makeIntegrator(const RenderJob& job, const gr::Scene& scene,
@@ -85,15 +53,40 @@ void warnOfNoise(Call& call, const RenderJob& job, const render::RenderResult& r
                    (result.noise ? "but " + render::noiseText(*result.noise) : "too few to tell what is"));
 }
 
-// eye: in the scene's own space.
-render::RenderResult renderFilm(const RenderJob& job, const glm::dvec3& eye, const render::Integrator& integrator,
-                                image::Film& film) {
-    render::Camera camera(eye, job.view, job.up, job.fieldOfView, job.width, job.height);
+void warnOfScene(Call& call, const RenderJob& job, const gr::Scene& scene) {
+    if (!hasLight(job, scene))
+        warn(call, "gr_render: " + job.file +
+                       ": nothing shines, the picture is black: no lamp and no light named has " +
+                       "radiance, and background and ambient are black");
+    for (const std::string& text : scene.warnings) warn(call, "gr_render: " + job.file + ": " + text);
+}
+
+render::RenderResult renderOn(render::Accumulation& accumulation, const RenderJob& job, const gr::Scene& scene,
+                              const render::Integrator& integrator, const render::Checkpoints& checkpoints) {
+    render::Camera camera(job.eye - scene.origin, job.view, job.up, job.fieldOfView, job.width, job.height);
     if (job.settings.depthOfField) camera.setLens(job.settings.aperture, job.settings.focalDistance);
     render::Progress progress;
     std::optional<ProgressLine> line;
     if (job.settings.progress) line.emplace(job.file, progress);
-    return render::render(integrator, camera, job.settings, film, progress, interrupted());
+    return render::render(accumulation, integrator, camera, job.settings, progress, interrupted(), checkpoints);
+}
+
+// The picture as it is now, in its place; and what is needed to go on with it.
+void publish(const image::ImageFile& file, const RenderJob& job, const render::RenderResult& result,
+             const render::Accumulation& accumulation, const Resumption& resumption, const image::Film& film,
+             const image::Metadata& metadata) {
+    if (result.samplesPerPixel == 0) {
+        resumption.end(result, accumulation, false);
+        throw core::Error("RENDER", "INTERRUPTED", job.file,
+                          "interrupted before each pixel had a sample: \"" + job.file + "\" is not written");
+    }
+    try {
+        writeOrRescue(file, job, film, metadata);
+    } catch (const core::Error&) {
+        resumption.end(result, accumulation, false);
+        throw;
+    }
+    resumption.end(result, accumulation, true);
 }
 
 Tcl_Obj* renderCommand(Call& call) {
@@ -104,12 +97,11 @@ Tcl_Obj* renderCommand(Call& call) {
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
     const image::ImageFile file(job.file, job.layers());
-    if (!hasLight(job, scene))
-        warn(call, "gr_render: " + job.file +
-                       ": nothing shines, the picture is black: no lamp and no light named has " +
-                       "radiance, and background and ambient are black");
-
-    for (const std::string& text : scene.warnings) warn(call, "gr_render: " + job.file + ": " + text);
+    image::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
+    render::Accumulation accumulation(film);
+    Resumption resumption(job, stateWordsOf(job, scene));
+    resumption.read(accumulation);
+    warnOfScene(call, job, scene);
 
     // Render.
     const auto buildStart = std::chrono::steady_clock::now();
@@ -117,17 +109,16 @@ Tcl_Obj* renderCommand(Call& call) {
         job.settings.accelerator, scene, core::threadCount(job.settings.threads), job.settings.integrator == "path");
     const double buildSeconds = secondsSince(buildStart);
     const auto integrator = makeIntegrator(job, scene, *accelerator);
-    image::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
     const auto renderStart = std::chrono::steady_clock::now();
-    const render::RenderResult result = renderFilm(job, job.eye - scene.origin, *integrator, film);
+    const render::RenderResult result =
+        renderOn(accumulation, job, scene, *integrator, resumption.checkpoints(call, accumulation));
     const double renderSeconds = secondsSince(renderStart);
-    if (!result.finished) throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");
 
     // Write the picture, and say what was done.
-    file.write(film, job.settings.exposure, metadataOf(job, scene, result, call.interp));
+    accumulation.store(film);
+    publish(file, job, result, accumulation, resumption, film, metadataOf(job, scene, result, scriptName(call.interp)));
     warnOfNoise(call, job, result);
-    const std::size_t pictureBytes =
-        film.bytes() + static_cast<std::size_t>(render::sumBytesFor(job.settings, job.width, job.lines()));
+    const double sumBytes = render::Accumulation::bytesFor(job.width, job.lines(), film.hasLayers());
     const RenderReport report{result,
                               *accelerator,
                               buildSeconds,
@@ -135,8 +126,10 @@ Tcl_Obj* renderCommand(Call& call) {
                               secondsSince(start),
                               scene.bytes(),
                               accelerator->bytes() + integrator->bytes(),
-                              pictureBytes};
+                              film.bytes() + static_cast<std::size_t>(sumBytes)};
     if (job.settings.progress) printSummary(report, job);
+    if (result.stoppedBy == render::StoppedBy::interrupt)
+        throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");
     call.session.lastRender = hold(reportDict(report, call.words.object(1)));
     return call.session.lastRender.get();
 }

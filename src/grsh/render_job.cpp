@@ -73,7 +73,7 @@ void checkLines(const RenderJob& job) {
 
 void checkMemory(const RenderJob& job) {
     const double needed = image::Film::bytesFor(job.width, job.lines(), job.layers()) +
-                          render::sumBytesFor(job.settings, job.width, job.lines());
+                          render::Accumulation::bytesFor(job.width, job.lines(), !job.settings.layers.empty());
     const double available = static_cast<double>(core::availableMemory());
     if (needed > available)
         throw core::Error("MEMORY", "PICTURE", job.file,
@@ -86,6 +86,7 @@ void checkMemory(const RenderJob& job) {
 
 RenderJob readRenderJob(Call& call) {
     RenderJob job;
+    job.settings.resume = call.session.resumes;
     job.node = call.words.text(0);
     call.session.database.find(job.node);
     job.file = call.words.fileName(1, "file");

@@ -42,6 +42,8 @@ std::string stoppedText(render::StoppedBy stoppedBy) {
             return "noise";
         case render::StoppedBy::time:
             return "time";
+        case render::StoppedBy::interrupt:
+            return "interrupt";
         case render::StoppedBy::samplesPerPixel:
             break;
     }
@@ -76,8 +78,9 @@ void printSummary(const RenderReport& report, const RenderJob& job) {
     std::string line = job.file + ": " + std::to_string(job.width) + " x " + std::to_string(job.lines()) + " pixels, " +
                        std::to_string(result.samplesPerPixel) + " samples each, ";
     if (result.noise) line += "relative error " + render::noiseText(*result.noise) + ", ";
-    if (job.settings.isOpenEnded()) line += "stopped by " + stoppedText(result.stoppedBy) + ", ";
-    line += durationText(report.seconds) + ", " + rateText(result.rays.total(), report.seconds);
+    if (job.settings.isOpenEnded() || result.stoppedBy == render::StoppedBy::interrupt)
+        line += "stopped by " + stoppedText(result.stoppedBy) + ", ";
+    line += durationText(report.seconds) + ", " + rateText(result.rays.total() - result.earlierRays, report.seconds);
     if (result.droppedSamples > 0)
         line += ", " + std::to_string(result.droppedSamples) + " samples dropped (not finite)";
     line += ", " + acceleratorText(report.accelerator);

@@ -21,7 +21,6 @@ namespace grsh {
 namespace {
 
 constexpr int kFailed = 1;
-constexpr int kInterrupted = 130;
 
 // The command line's bytes as Tcl has them.
 Value argumentValue(const std::string& argument) {
@@ -54,7 +53,7 @@ int cannotRead(const std::string& what, int error) {
 
 int sayInterrupted() {
     print(TCL_STDERR, "grsh: interrupted\n");
-    return kInterrupted;
+    return exitCodeOf(interruptSignal());
 }
 
 // 0, or why the file cannot be read. It is not opened: a pipe can be read only once.
@@ -139,8 +138,7 @@ int Shell::runStandardInput(const std::string& argv0, const std::vector<std::str
 int Shell::runPrompt(const std::string& argv0) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::prompt);
     setArguments(interp, argv0, {}, true);
-    grsh::runPrompt(interp);
-    return 0;
+    return grsh::runPrompt(interp);
 }
 
 int Shell::runFile(const std::string& typed, const std::string& path) {

@@ -5,6 +5,9 @@
 #include "image/image_writers.h"
 #include "image/temporary_file.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -34,6 +37,14 @@ fs::path resolve(const std::string& path) {
     if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it is not a file");
     if (failed && status.type() != fs::file_type::not_found) fail(path, failed.message());
     return target;
+}
+
+// Also for who may write everything.
+bool isReadOnly(const fs::path& target) {
+    struct stat there;
+    if (stat(target.c_str(), &there) != 0) return false;
+    constexpr mode_t anyWrite = S_IWUSR | S_IWGRP | S_IWOTH;
+    return (there.st_mode & anyWrite) == 0 || access(target.c_str(), W_OK) != 0;
 }
 
 struct Format {
@@ -77,6 +88,8 @@ ImageFile::ImageFile(const std::string& path, std::span<const Layer> layers) : p
         throw core::Error("FILE", "LAYERS", path,
                           "cannot write \"" + path + "\": with layers the file's ending must be .exr");
     target_ = resolve(path);
+    if (isReadOnly(target_)) fail(path, "it is read-only");
+    removeAbandonedFiles(target_.parent_path());
     // The one sure way to know whether a file can be made in a folder, for every user and every file system.
     TemporaryFile probe(target_, path);
 }

@@ -3,12 +3,11 @@
 #include "core/parallel.h"
 #include "render/accumulate/alarm.h"
 #include "render/accumulate/passes.h"
-#include "render/accumulate/tile.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 
 namespace render {
 namespace {
@@ -19,167 +18,159 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::vector<Tile> tilesOf(const image::Film& film) {
-    std::vector<Tile> tiles;
-    const int right = film.width(), bottom = film.startLine() + film.lines();
-    for (int y = film.startLine(); y < bottom; y += tileSize)
-        for (int x = 0; x < right; x += tileSize)
-            tiles.push_back({x, y, std::min(x + tileSize, right), std::min(y + tileSize, bottom)});
-    return tiles;
-}
-
 class PictureRenderer {
 public:
-    PictureRenderer(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
-                    image::Film& film, Progress& progress, const std::atomic<bool>& stop)
-        : integrator_(integrator),
+    PictureRenderer(Accumulation& accumulation, const Integrator& integrator, const Camera& camera,
+                    const RenderSettings& settings, Progress& progress, const std::atomic<bool>& stop,
+                    const Checkpoints& checkpoints)
+        : accumulation_(accumulation),
+          integrator_(integrator),
           // A grid over the pixel that is left half empty would favour a part of it.
-          view_{camera, settings.antialiasing, settings.seed, settings.isOpenEnded() ? 1 : settings.mostSamples()},
+          view_{camera, settings.antialiasing, settings.seed, settings.samplesSpread()},
           settings_(settings),
-          film_(film),
           progress_(progress),
           stop_(stop),
-          tiles_(tilesOf(film)) {
+          checkpoints_(checkpoints) {
         result_.threads = core::threadCount(settings.threads);
+        result_.earlierRays = accumulation.rays.total();
+        for (const Tile& tile : accumulation.tiles)
+            pixels_ += static_cast<double>(tile.right - tile.left) * (tile.bottom - tile.top);
     }
 
+    // The whole picture again and again, each time with more samples.
     RenderResult render() {
-        if (settings_.isOpenEnded())
-            renderPasses();
-        else
-            renderAtOnce();
-        result_.finished = !stop_.load();
+        const int before = accumulation_.samplesPerPixel();
+        estimate();
+        double secondsPerSample = 0;
+        while (!isDone()) {
+            expect(samplesExpected(before));
+            const int first = accumulation_.samplesPerPixel();
+            const double passStart = seconds();
+            const int end = endOfPass(first, secondsPerSample);
+            pass(end, first);
+            if (accumulation_.samplesPerPixel() > first)
+                secondsPerSample = (seconds() - passStart) / (accumulation_.samplesPerPixel() - first);
+            estimate();
+            if (stop_) {
+                result_.stoppedBy = StoppedBy::interrupt;
+                break;
+            }
+        }
+        result_.rays = accumulation_.rays;
+        result_.samples = accumulation_.samples;
+        result_.droppedSamples = accumulation_.dropped;
         return result_;
     }
 
 private:
-    // Each tile to its end, one after the other: what only it needs is forgotten then.
-    void renderAtOnce() {
-        expect(settings_.mostSamples());
-        pass(settings_.mostSamples(), stop_, [&](Tile& tile) {
-            tile.store(film_);
-            tile.pixels = std::vector<PixelSum>();
-            tile.layers = std::vector<PixelLayers>();
-        });
-        if (!stop_) estimate(settings_.mostSamples());
-    }
-
-    // The whole picture again and again, each time with more samples.
-    void renderPasses() {
-        const int most = settings_.mostSamples();
-        const Clock::time_point start = Clock::now();
-        const Alarm alarm(settings_.time, stop_);
-        double secondsPerSample = 0;
-        while (!isDone(most, secondsSince(start))) {
-            int end = std::min(nextPass(result_.samplesPerPixel), most);
-            const double passStart = secondsSince(start);
-            if (settings_.time > 0 && secondsPerSample > 0) {
-                const double inTime = std::max((settings_.time - passStart) / secondsPerSample, 1.);
-                end = std::min<double>(end, result_.samplesPerPixel + std::floor(inTime));
-            }
-            const int first = result_.samplesPerPixel;
-            // A picture without any sample is none.
-            pass(end, first == 0 ? stop_ : alarm.flag(), [](Tile&) {});
-            if (stop_) return;
-            estimate(end);
-            secondsPerSample = (secondsSince(start) - passStart) / (end - first);
-            expect(samplesExpected(most, secondsSince(start)));
-        }
-        for (const Tile& tile : tiles_) tile.store(film_);
-    }
+    double seconds() const { return secondsSince(start_); }
 
     // Whether it is enough, and why.
-    bool isDone(int most, double seconds) {
+    bool isDone() {
         if (result_.samplesPerPixel == 0) return false;
-        if (settings_.noise > 0 && result_.noise && *result_.noise <= settings_.noise)
+        if (settings_.noise > 0 && accumulation_.end == result_.samplesPerPixel && result_.noise &&
+            *result_.noise <= settings_.noise)
             result_.stoppedBy = StoppedBy::noise;
-        else if (settings_.time > 0 && seconds >= settings_.time)
+        else if (settings_.time > 0 && seconds() >= settings_.time)
             result_.stoppedBy = StoppedBy::time;
-        else if (result_.samplesPerPixel < most)
+        else if (result_.samplesPerPixel < settings_.mostSamples())
             return false;
         return true;
     }
 
-    template<class Finish>
-    void pass(int samples, const std::atomic<bool>& stop, const Finish& finish) {
-        noise_.rest = {};
-        core::parallelFor(static_cast<int>(tiles_.size()), result_.threads, [&](int i) {
-            if (stop.load(std::memory_order_relaxed)) return;
-            Tile& tile = tiles_[static_cast<std::size_t>(i)];
-            TileSums sums(film_.hasLayers(), progress_);
-            renderTile(tile, samples, sums, stop);
-            if (tile.samples == samples) finish(tile);
-            const std::lock_guard lock(resultMutex_);
-            result_.rays += sums.tally.rays;
-            result_.samples += sums.tally.samples;
-            result_.droppedSamples += sums.tally.dropped;
-            noise_ += sums.noise;
-        });
+    // Where nobody asks on the way, the next power of two is soon enough. A pass that was broken off is ended first.
+    int endOfPass(int samples, double secondsPerSample) const {
+        const int most = settings_.mostSamples();
+        if (accumulation_.end > samples && accumulation_.end <= most) return accumulation_.end;
+        if (!settings_.isOpenEnded())
+            return std::min(static_cast<int>(std::bit_floor(static_cast<unsigned>(samples)) * 2) + (samples == 0),
+                            most);
+        const int end = std::min(nextPass(samples), most);
+        if (settings_.time == 0 || secondsPerSample == 0) return end;
+        const double inTime = std::max((settings_.time - seconds()) / secondsPerSample, 1.);
+        return static_cast<int>(std::min<double>(end, samples + std::floor(inTime)));
     }
 
-    // Goes on until each pixel has had so many samples. When stop turns true it ends soon, with as many as it has by
-    // then: the same number for each pixel.
-    void renderTile(Tile& tile, int samples, TileSums& sums, const std::atomic<bool>& stop) const {
-        while (tile.samples < samples) {
-            const SampleBlock block = sums.next(tile, samples);
-            integrator_.render(view_, block, sums.samples, stop);
-            if (stop.load(std::memory_order_relaxed)) return;
-            sums.add(tile, block, samples);
+    // Goes to `end`, with a checkpoint now and then; breaks off when the time is over. A picture without any sample is
+    // none, so the first has all the time it takes.
+    void pass(int end, int first) {
+        while (accumulation_.samplesPerPixel() < end && !stop_) {
+            const double timeLeft = settings_.time > 0 && first > 0 ? settings_.time - seconds() : core::infinity;
+            if (timeLeft <= 0) return;
+            const double untilCheckpoint =
+                checkpoints_.seconds > 0 ? std::max(nextCheckpoint_ - seconds(), 1e-3) : core::infinity;
+            const double next = std::min(timeLeft, untilCheckpoint);
+            const Alarm alarm(next < core::infinity ? next : 0, stop_);
+            advance(accumulation_, integrator_, view_, end, result_.threads, progress_, alarm.flag());
+            if (checkpoints_.seconds > 0 && !stop_ && seconds() >= nextCheckpoint_) checkpoint();
         }
     }
 
-    // How many samples each pixel has, and how noisy that is, after a pass that should have gone to `end`.
-    void estimate(int end) {
-        const auto least = std::min_element(tiles_.begin(), tiles_.end(),
-                                            [](const Tile& a, const Tile& b) { return a.samples < b.samples; });
-        result_.samplesPerPixel = least->samples;
-        if (least->samples < leastSamplesForNoise) return;
-        result_.noiseSums = NoiseSums(noise_, least->samples, least->samples == end);
-        estimate_ = estimateNoise(*result_.noiseSums, least->samples, pixels());
+    // They take two percent of the time at the most.
+    void checkpoint() {
+        const double start = seconds();
+        checkpoints_.write();
+        const double taken = seconds() - start;
+        nextCheckpoint_ = seconds() + std::max(checkpoints_.seconds, 49 * taken);
+    }
+
+    // How many samples each pixel has, and how noisy that is.
+    void estimate() {
+        result_.samplesPerPixel = accumulation_.samplesPerPixel();
+        result_.noiseSums = accumulation_.noiseSums();
+        if (!result_.noiseSums) return;
+        estimate_ = estimateNoise(*result_.noiseSums, result_.samplesPerPixel, pixels_);
         result_.noise = estimate_->error;
     }
 
-    // As far as can be told: it may be less than is there, and 0 while nothing can.
-    double samplesExpected(int most, double seconds) const {
+    // As far as can be told: it may be less than is there, and 0 while nothing can. before: how many there were when it
+    // began.
+    double samplesExpected(int before) const {
         const int samples = result_.samplesPerPixel;
         if (settings_.noise > 0 && !estimate_ && settings_.time == 0) return 0;
-        double expected = most;
+        double expected = settings_.mostSamples();
         if (settings_.noise > 0 && estimate_)
             expected = std::min(expected, estimate_->samplesFor(settings_.noise, samples));
-        if (settings_.time > 0) expected = std::min(expected, samples * settings_.time / seconds);
+        if (settings_.time > 0 && samples > before)
+            expected = std::min(expected, before + (samples - before) * settings_.time / seconds());
         return expected;
     }
 
+    // Progress tells of what is still to be done.
     void expect(double samplesPerPixel) {
-        progress_.expectedSamples = static_cast<std::uint64_t>(samplesPerPixel * pixels());
+        const double left = samplesPerPixel * pixels_ - static_cast<double>(samplesBefore_);
+        progress_.expectedSamples = samplesPerPixel == 0 ? 0 : static_cast<std::uint64_t>(std::max(left, 1.));
     }
 
-    double pixels() const { return static_cast<double>(film_.width()) * film_.lines(); }
-
+    Accumulation& accumulation_;
     const Integrator& integrator_;
     const View view_;
     const RenderSettings& settings_;
-    image::Film& film_;
     Progress& progress_;
     const std::atomic<bool>& stop_;
-    std::vector<Tile> tiles_;
-    NoiseSteps noise_;
+    const Checkpoints& checkpoints_;
+    const Clock::time_point start_ = Clock::now();
+    double nextCheckpoint_ = checkpoints_.seconds;
+    const std::uint64_t samplesBefore_ = accumulation_.samples;
+    double pixels_ = 0;
     std::optional<NoiseEstimate> estimate_;
     RenderResult result_;
-    std::mutex resultMutex_;
 };
 
 }  // namespace
 
-double sumBytesFor(const RenderSettings& settings, int width, int lines) {
-    if (!settings.isOpenEnded()) return 0;
-    const std::size_t bytesPerPixel = sizeof(PixelSum) + (settings.layers.empty() ? 0 : sizeof(PixelLayers));
-    return static_cast<double>(bytesPerPixel) * width * lines;
+RenderResult render(Accumulation& accumulation, const Integrator& integrator, const Camera& camera,
+                    const RenderSettings& settings, Progress& progress, const std::atomic<bool>& stop,
+                    const Checkpoints& checkpoints) {
+    return PictureRenderer(accumulation, integrator, camera, settings, progress, stop, checkpoints).render();
 }
 
 RenderResult render(const Integrator& integrator, const Camera& camera, const RenderSettings& settings,
                     image::Film& film, Progress& progress, const std::atomic<bool>& stop) {
-    return PictureRenderer(integrator, camera, settings, film, progress, stop).render();
+    Accumulation accumulation(film);
+    const RenderResult result = render(accumulation, integrator, camera, settings, progress, stop);
+    accumulation.store(film);
+    return result;
 }
 
 }  // namespace render

@@ -15,7 +15,7 @@ constexpr core::Range line{.least = 0, .most = 999999};
 
 using S = RenderSettings;
 
-const std::array<core::OptionRow<S>, 21> rows{{
+const std::array<core::OptionRow<S>, 24> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
      .words = gr::acceleratorNames(),
@@ -116,6 +116,20 @@ const std::array<core::OptionRow<S>, 21> rows{{
     {.name = "progress",
      .member = &S::progress,
      .help = "a progress line on a terminal, and a summary at the end",
+     .inPicture = false},
+    {.name = "resume",
+     .member = &S::resume,
+     .help = "keeps what has been rendered in a file beside the picture, and goes on from there",
+     .inPicture = false},
+    {.name = "checkpoint",
+     .member = &S::checkpoint,
+     .range = {.least = 0.1, .most = 1e9},
+     .unit = "seconds",
+     .help = "how often resume writes that file",
+     .inPicture = false},
+    {.name = "keep",
+     .member = &S::keep,
+     .help = "leaves that file at the end, so that more samples can be added later",
      .inPicture = false},
 }};
 

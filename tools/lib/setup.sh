@@ -2,7 +2,7 @@
 # What the tools share. Sourced, never run: a tool lists its packages and calls set_up.
 
 root=${BASH_SOURCE[0]%/tools/lib/*}
-packages=(g++ cmake ninja-build tcl-dev libglm-dev libxsimd-dev libtbb-dev libembree-dev libpng-dev libopenexr-dev
+packages=(g++ cmake ninja-build tcl-dev libglm-dev libxsimd-dev libtbb-dev libembree-dev libpng-dev zlib1g-dev libopenexr-dev
     libassimp-dev)
 
 # All set-up output goes to standard error: standard output belongs to what the tool runs.

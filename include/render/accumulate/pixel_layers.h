@@ -13,6 +13,15 @@ public:
     // Into those layers that the film has.
     void store(image::Film& film, int x, int y) const;
 
+    // All its numbers, in their order.
+    template<class F>
+    void forEachNumber(F&& f) {
+        for (double* number : {&samples_, &met_, &depth_}) f(*number);
+        for (glm::dvec3* vector : {&albedo_, &normal_, &mean_, &squaredDeviations_})
+            for (int axis = 0; axis < 3; ++axis) f((*vector)[axis]);
+    }
+    static constexpr std::size_t numberCount = 15;
+
 private:
     double samples_ = 0;
     double met_ = 0;  // samples that met a surface

@@ -1,9 +1,14 @@
 // A part of the picture: what one thread renders at a time.
 #pragma once
 
+#include "image/film.h"
+#include "render/accumulate/noise.h"
 #include "render/accumulate/pixel_layers.h"
-#include "render/render.h"
 #include "render/transport/integrator.h"
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
 
 namespace render {
 
@@ -15,17 +20,30 @@ struct PixelSum {
     int kept = 0;
     core::Rgbf before{0};  // the mean when the number of samples was last a power of two
 
+    bool operator==(const PixelSum&) const = default;
     core::Rgbf mean() const { return kept == 0 ? core::Rgbf(0) : core::Rgbf(sum / static_cast<double>(kept)); }
 };
 
 // Pixels (left, top) to (right - 1, bottom - 1).
 struct Tile {
     int left, top, right, bottom;
+    bool hasLayers;
     int samples = 0;  // of each pixel
-    std::vector<PixelSum> pixels = {};
-    std::vector<PixelLayers> layers = {};  // empty unless the film has some
+    std::vector<PixelSum> pixels;  // empty until the first
+    std::vector<PixelLayers> layers;
 
+    Tile(int left, int top, int right, int bottom, bool hasLayers)
+        : left(left), top(top), right(right), bottom(bottom), hasLayers(hasLayers) {}
+    // Makes room for the first sample.
+    void begin();
     void store(image::Film& film) const;
+};
+
+// What other threads may look at while a picture is rendered.
+struct Progress {
+    std::atomic<std::uint64_t> samples{0};  // paths done
+    std::atomic<std::uint64_t> rays{0};
+    std::atomic<std::uint64_t> expectedSamples{0};  // in all, as far as can be told; 0: not yet
 };
 
 // Work done since progress was last told of it: shared counters are touched now and then only.
@@ -58,7 +76,7 @@ private:
 // Adds one thread's samples to its tiles, block after block.
 class TileSums {
 public:
-    TileSums(bool hasLayers, Progress& progress) : tally(progress), hasLayers_(hasLayers) {}
+    explicit TileSums(Progress& progress) : tally(progress) {}
 
     Samples samples;  // of the block
     Tally tally;
@@ -73,7 +91,6 @@ private:
     void addSamples(Tile& tile, const SampleBlock& block);
     void measureNoise(const Tile& tile);
 
-    bool hasLayers_;
     std::vector<core::Rgbf> before_, after_;
 };
 

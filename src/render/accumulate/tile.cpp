@@ -5,7 +5,14 @@
 
 namespace render {
 
+void Tile::begin() {
+    if (!pixels.empty()) return;
+    pixels.resize(static_cast<std::size_t>(right - left) * static_cast<std::size_t>(bottom - top));
+    if (hasLayers) layers.resize(pixels.size());
+}
+
 void Tile::store(image::Film& film) const {
+    if (pixels.empty()) return;
     std::size_t i = 0;
     for (int y = top; y < bottom; ++y)
         for (int x = left; x < right; ++x, ++i) {
@@ -17,22 +24,20 @@ void Tile::store(image::Film& film) const {
 SampleBlock TileSums::next(Tile& tile, int end) {
     constexpr int samplesAtOnce = 8;  // of each pixel: they fit in the processor's own memory
     SampleBlock block{tile.left, tile.top, tile.right, tile.bottom, tile.samples, tile.samples};
-    tile.pixels.resize(static_cast<std::size_t>(block.pixels()));
-    if (hasLayers_) tile.layers.resize(tile.pixels.size());
+    tile.begin();
     // A block ends at each power of two, where samples are spread most evenly and the noise is measured.
     const unsigned step = std::bit_ceil(static_cast<unsigned>(block.first) + 1) - static_cast<unsigned>(block.first);
     block.end = block.first + std::min({samplesAtOnce, end - block.first, static_cast<int>(step)});
     samples.radiance.resize(static_cast<std::size_t>(block.size()));
-    if (hasLayers_) samples.first.assign(samples.radiance.size(), {});
+    if (tile.hasLayers) samples.first.assign(samples.radiance.size(), {});
     return block;
 }
 
 void TileSums::add(Tile& tile, const SampleBlock& block, int end) {
     addSamples(tile, block);
     const bool isPower = std::has_single_bit(static_cast<unsigned>(tile.samples));
-    // The last two steps tell how noisy it is; those before them nobody will ask for.
-    const bool tells = tile.samples == end || (isPower && tile.samples >= end / 4);
-    if (tells && tile.samples > 1) measureNoise(tile);
+    // The last two doublings tell how noisy it is, and the way from there.
+    if ((isPower || tile.samples == end) && tile.samples > 1) measureNoise(tile);
     if (isPower)
         for (PixelSum& pixel : tile.pixels) pixel.before = pixel.mean();
 }
@@ -45,7 +50,7 @@ void TileSums::addSamples(Tile& tile, const SampleBlock& block) {
             if (core::isFinite(radiance)) {
                 tile.pixels[p].sum += glm::dvec3(radiance);
                 ++tile.pixels[p].kept;
-                if (hasLayers_) tile.layers[p].add(radiance, samples.first[i]);
+                if (tile.hasLayers) tile.layers[p].add(radiance, samples.first[i]);
             } else {
                 ++tally.dropped;
             }
