@@ -128,11 +128,11 @@ private:
     double samplesExpected(int before) const {
         const int samples = result_.samplesPerPixel;
         if (settings_.noise > 0 && !estimate_ && settings_.time == 0) return 0;
+        if (settings_.time > 0 && samples == before) return 0;
         double expected = settings_.mostSamples();
         if (settings_.noise > 0 && estimate_)
             expected = std::min(expected, estimate_->samplesFor(settings_.noise, samples));
-        if (settings_.time > 0 && samples > before)
-            expected = std::min(expected, before + (samples - before) * settings_.time / seconds());
+        if (settings_.time > 0) expected = std::min(expected, before + (samples - before) * settings_.time / seconds());
         return expected;
     }
 

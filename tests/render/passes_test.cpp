@@ -88,7 +88,6 @@ TEST(Passes, MakeThePictureOfAFixedNumberToTheBit) {
             EXPECT_EQ(passes.result.droppedSamples, once.result.droppedSamples);
             EXPECT_EQ(passes.result.rays.total(), once.result.rays.total());
             EXPECT_EQ(passes.result.stoppedBy, StoppedBy::samplesPerPixel);
-            EXPECT_TRUE(passes.result.finished);
         }
     }
 }
@@ -196,7 +195,6 @@ TEST(Time, EndsTheRenderWhenItIsOver) {
         settings.threads = 2;
         const Picture picture(Slow(pause), settings);
         EXPECT_EQ(picture.result.stoppedBy, StoppedBy::time);
-        EXPECT_TRUE(picture.result.finished);
         EXPECT_GE(picture.seconds, 0.4);
         EXPECT_LT(picture.seconds, 0.6) << pause;
         EXPECT_GE(picture.result.samplesPerPixel, 1);
@@ -224,7 +222,6 @@ TEST(Time, LeavesNoPixelWithoutASample) {
     EXPECT_EQ(picture.result.samplesPerPixel, 1);
     EXPECT_EQ(picture.result.samples, std::uint64_t(width * height));
     EXPECT_EQ(picture.result.stoppedBy, StoppedBy::time);
-    EXPECT_TRUE(picture.result.finished);
     expectWholeTiles(picture, 1);
 }
 
@@ -238,7 +235,7 @@ TEST(Time, OrNoiseEndsTheRenderWhicheverComesFirst) {
     EXPECT_EQ(Picture(Noise(), settings).result.stoppedBy, StoppedBy::time);
 }
 
-// An interrupt is heard while the time is not over, and no picture is told to be finished.
+// An interrupt is heard while the time is not over, and the picture says so.
 TEST(Passes, EndSoonWhenTheyAreStopped) {
     for (const double time : {0., 1000.}) {
         RenderSettings settings;
@@ -251,7 +248,7 @@ TEST(Passes, EndSoonWhenTheyAreStopped) {
         });
         const Picture picture(Slow(1e-3), settings, {}, stop);
         interrupt.join();
-        EXPECT_FALSE(picture.result.finished);
+        EXPECT_EQ(picture.result.stoppedBy, StoppedBy::interrupt);
         EXPECT_LT(picture.seconds, 0.5);
     }
 }
@@ -297,12 +294,9 @@ TEST(Passes, TellHowManySamplesToExpect) {
 }
 
 TEST(Passes, TakeAtMost60BytesAPixelWithTheFilm) {
-    RenderSettings settings;
-    EXPECT_EQ(sumBytesFor(settings, 1000, 1000), 0);
-    settings.noise = 0.1;
-    EXPECT_LE(sumBytesFor(settings, 1000, 1000) + image::Film::bytesFor(1000, 1000), 59e6) << "the rest is each tile's";
-    settings.layers = {"depth"};
-    EXPECT_GT(sumBytesFor(settings, 1000, 1000), 100e6);
+    EXPECT_LE(Accumulation::bytesFor(1000, 1000, false) + image::Film::bytesFor(1000, 1000), 59e6)
+        << "the rest is each tile's";
+    EXPECT_GT(Accumulation::bytesFor(1000, 1000, true), 100e6);
 }
 
 }  // namespace

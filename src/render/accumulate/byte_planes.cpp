@@ -17,6 +17,7 @@ std::string PlanePacker::packed() const {
 }
 
 PlaneReader::PlaneReader(std::string_view packed, std::size_t size) : bytes_(size, '\0') {
+    if (size == 0) return;
     uLongf found = size;
     const int code = uncompress(reinterpret_cast<Bytef*>(bytes_.data()), &found,
                                 reinterpret_cast<const Bytef*>(packed.data()), packed.size());

@@ -69,26 +69,34 @@ void forEachCount(RayCounts& rays, const F& f) {
         f(*count);
 }
 
-std::string noiseTextOf(const NoiseSteps& noise) {
-    std::string text = noise.rest.moved.text() + " " + noise.rest.squares.text();
-    for (const NoiseStep& step : noise.doublings) text += " " + step.moved.text() + " " + step.squares.text();
-    return text;
+void addNoise(Writer& writer, const NoiseSteps& noise) {
+    writer.add(std::uint64_t{noise.doublings.size()});
+    const auto add = [&](const NoiseStep& step) {
+        writer.add(step.moved.text());
+        writer.add(step.squares.text());
+    };
+    add(noise.rest);
+    for (const NoiseStep& step : noise.doublings) add(step);
 }
 
-NoiseSteps noiseFrom(std::string_view text) {
-    std::vector<core::AnyOrderSum> sums;
-    for (bool isLast = false; !isLast;) {
-        const std::size_t space = text.find(' ');
-        isLast = space == std::string_view::npos;
-        const auto sum = core::AnyOrderSum::fromText(text.substr(0, space));
-        if (!sum) damaged();
-        sums.push_back(*sum);
-        if (!isLast) text.remove_prefix(space + 1);
-    }
-    if (sums.size() < 2 || sums.size() % 2 != 0) damaged();
+NoiseSteps readNoise(Reader& reader) {
+    const std::uint64_t doublings = reader.number();
+    const auto sum = [&] {
+        const std::string_view text = reader.text();
+        if (text.empty()) return core::AnyOrderSum{};
+        const auto read = core::AnyOrderSum::fromText(text);
+        if (!read) damaged();
+        return *read;
+    };
+    const auto step = [&] {
+        NoiseStep read;
+        read.moved = sum();
+        read.squares = sum();
+        return read;
+    };
     NoiseSteps noise;
-    noise.rest = {sums[0], sums[1]};
-    for (std::size_t i = 2; i < sums.size(); i += 2) noise.doublings.push_back({sums[i], sums[i + 1]});
+    noise.rest = step();
+    for (std::uint64_t i = 0; i < doublings; ++i) noise.doublings.push_back(step());
     return noise;
 }
 
@@ -100,6 +108,7 @@ std::string packed(const std::vector<Tile>& tiles, std::size_t first, std::size_
     std::vector<std::uint64_t> layers[PixelLayers::numberCount];
     for (std::size_t i = first; i < end; ++i) {
         const Tile& tile = tiles[i];
+        if (tile.samples == 0) continue;
         for (const PixelSum& pixel : tile.pixels) {
             left.push_back(static_cast<std::uint32_t>(tile.samples - pixel.kept));
             const core::Rgbf mean = pixel.mean();
@@ -200,7 +209,7 @@ void read(std::string_view bytes, const StateWords& words, int most, Accumulatio
     accumulation.samples = reader.number();
     accumulation.dropped = reader.number();
     forEachCount(accumulation.rays, [&](std::uint64_t& count) { count = reader.number(); });
-    accumulation.noise = noiseFrom(reader.text());
+    accumulation.noise = readNoise(reader);
     readTiles(reader, accumulation);
     for (const Tile& tile : accumulation.tiles)
         if (tile.samples > most)
@@ -229,7 +238,7 @@ void writeState(const std::string& path, const StateWords& words, const Accumula
     body.add(accumulation.dropped);
     RayCounts rays = accumulation.rays;
     forEachCount(rays, [&](std::uint64_t& count) { body.add(count); });
-    body.add(noiseTextOf(accumulation.noise));
+    addNoise(body, accumulation.noise);
     body.add(std::uint64_t{tiles.size()});
     for (const Tile& tile : tiles) body.add(static_cast<std::uint64_t>(tile.samples));
     for (const std::string& block : blocks) body.add(block);
