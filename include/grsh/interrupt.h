@@ -4,12 +4,25 @@
 #include <tcl.h>
 
 #include <atomic>
+#include <string>
 #include <thread>
 
 namespace grsh {
 
 // True from a Ctrl-C until the shell clears it before the next evaluation: the renderer's stop flag.
 std::atomic<bool>& interrupted();
+
+// What a script that was interrupted prints, and its exit code.
+struct Ending {
+    std::string message;
+    int code;
+};
+const Ending& ending();
+
+// Interrupts as the first Ctrl-C does, from any thread, with another ending; only once.
+void endWith(Ending ending);
+// Ends the process now, with the ending's message and code.
+[[noreturn]] void endAtOnce();
 
 // Held by a command while it works long and polls interrupted(): it gives up what it has begun, tidies and returns an
 // error, and no "catch" round it goes on.

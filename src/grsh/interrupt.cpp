@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <utility>
 
 namespace grsh {
 namespace {
@@ -21,6 +22,7 @@ std::atomic<long> firstAt = 0;
 std::atomic<int> scopes = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<long>::is_always_lock_free);
 sem_t wake;
+Ending theEnding{"grsh: interrupted\n", 130};
 
 long milliseconds() {
     timespec now;
@@ -28,14 +30,19 @@ long milliseconds() {
     return now.tv_sec * 1000L + now.tv_nsec / 1000000L;
 }
 
+// False where it has begun before.
+bool beginEnd(long now) {
+    if (isInterrupted.exchange(true)) return false;
+    firstAt = now;
+    isActedUpon = false;
+    return true;
+}
+
 // Calls nothing that a signal handler may not call; Tcl_AsyncMark locks, so a thread of its own calls that.
 void onInterrupt(int) {
     const int savedErrno = errno;
     const long now = milliseconds();
-    if (!isInterrupted.exchange(true)) {
-        firstAt = now;
-        isActedUpon = false;
-    } else if (now - firstAt >= kSecondCounts) {
+    if (!beginEnd(now) && now - firstAt >= kSecondCounts) {
         signal(SIGINT, SIG_DFL);
         raise(SIGINT);
     }
@@ -64,9 +71,7 @@ void endScriptThatWaits() {
         if (isActedUpon || isEnding) return;
         if (scopes > 0) until = Clock::now() + kGrace;
     }
-    constexpr char kMessage[] = "grsh: interrupted\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
-    _exit(130);
+    endAtOnce();
 }
 
 void waitForInterrupts(Tcl_AsyncHandler mark, InterruptHandler::Runs runs) {
@@ -83,6 +88,22 @@ void waitForInterrupts(Tcl_AsyncHandler mark, InterruptHandler::Runs runs) {
 
 std::atomic<bool>& interrupted() {
     return isInterrupted;
+}
+
+const Ending& ending() {
+    return theEnding;
+}
+
+void endWith(Ending ending) {
+    theEnding = std::move(ending);
+    beginEnd(milliseconds());
+    sem_post(&wake);
+}
+
+void endAtOnce() {
+    const std::string& message = theEnding.message;
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+    _exit(theEnding.code);
 }
 
 InterruptScope::InterruptScope(Tcl_Interp* interp) : interp(interp) {

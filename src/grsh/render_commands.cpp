@@ -103,7 +103,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights, gr::Origin::isNear);
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
-    const image::ImageFile file(job.file, job.layers());
+    const image::ImageFile file(call.session.files->toWrite(job.file), job.layers());
     if (!hasLight(job, scene))
         warn(call, "gr_render: " + job.file +
                        ": nothing shines, the picture is black: no lamp and no light named has " +
