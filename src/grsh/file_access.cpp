@@ -51,7 +51,7 @@ Descriptor openInAny(const Roots& roots, const std::string& path, const Open& op
 }
 
 std::string reasonOf(int error, const std::string& notAllowed) {
-    if (error == EXDEV) return notAllowed;
+    if (error == EXDEV || error == ELOOP) return notAllowed;
     return error == EINVAL ? "it is not a regular file" : std::strerror(error);
 }
 

@@ -8,6 +8,10 @@
 namespace grsh {
 
 void limitMemory(std::uint64_t bytes) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    // Sanitizers reserve all addresses there are.
+    (void)bytes;
+#else
     // Each arena reserves addresses for more than it will use, and it is addresses that are counted.
     mallopt(M_ARENA_MAX, 2);
     rlimit limit{};
@@ -15,6 +19,7 @@ void limitMemory(std::uint64_t bytes) {
     limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
     limit.rlim_max = limit.rlim_cur;
     setrlimit(RLIMIT_AS, &limit);
+#endif
 }
 
 }  // namespace grsh

@@ -1,11 +1,13 @@
 // grsh's command line.
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "grsh/command_line.h"
+#include "grsh/last_words.h"
 #include "grsh/shell.h"
 
 namespace {
@@ -23,6 +25,7 @@ int run(const std::string& program, const grsh::CommandLine& line) {
     if (line.asks == Asks::help) std::fputs(grsh::helpText().c_str(), stdout);
     if (line.asks == Asks::version) std::fputs("grsh " GRSH_VERSION "\n", stdout);
     if (line.asks != Asks::run) return 0;
+    if (line.isSafe || line.limits.bytes) grsh::prepareLastWords();
     if (line.limits.bytes) grsh::limitMemory(*line.limits.bytes);
     return grsh::Shell(program, line).run();
 }
@@ -35,6 +38,8 @@ int main(int argc, char** argv) {
     } catch (const core::Error& error) {
         if (error.topic == "USAGE") return wrongUsage(error.what());
         std::fprintf(stderr, "grsh: %s\n", error.what());
+    } catch (const std::bad_alloc&) {
+        std::fputs("grsh: out of memory\n", stderr);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "grsh: %s\n", error.what());
     }

@@ -13,12 +13,21 @@
 namespace grsh {
 namespace {
 
+// Tcl would put a home folder in place of ~.
+void checkHome(std::string_view name) {
+    if (name.starts_with('~'))
+        throw core::Error("SAFE", "HOME", std::string(name),
+                          "cannot use \"" + std::string(name) + "\": --safe knows no home folders");
+}
+
 // source ?-encoding name? file. What it may read Tcl opens once more, and no more than that.
 Tcl_Obj* sourceCommand(Call& call) {
     const bool hasEncoding = call.words.size() == 3;
     if (call.words.size() == 2 || (hasEncoding && call.words.text(0) != "-encoding")) throwWrongWords();
     const std::size_t at = call.words.size() - 1;
-    call.session.files->toRead(call.words.fileName(at, "file"));
+    const std::string name = call.words.fileName(at, "file");
+    checkHome(name);
+    call.session.files->toRead(name);
     const std::string encoding = hasEncoding ? std::string(call.words.text(1)) : "utf-8";
     const int code = Tcl_FSEvalFileEx(call.interp, call.words.object(at), encoding.c_str());
     if (code != TCL_OK) throw ScriptEnded{code};
@@ -56,13 +65,6 @@ Tcl_Obj* openCommand(Call& call) {
 constexpr std::array<std::string_view, 14> kFileTopics = {
     "dirname",  "exists",   "extension", "isdirectory", "isfile", "join",  "normalize",
     "pathtype", "readable", "rootname",  "separator",   "size",   "split", "tail"};
-
-// Tcl would put a home folder in place of ~.
-void checkHome(std::string_view name) {
-    if (name.starts_with('~'))
-        throw core::Error("SAFE", "HOME", std::string(name),
-                          "cannot use \"" + std::string(name) + "\": --safe knows no home folders");
-}
 
 // file topic ?name ...?, by the parent's command of that topic.
 Tcl_Obj* fileCommand(Call& call) {

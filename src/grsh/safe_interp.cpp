@@ -21,11 +21,17 @@ constexpr std::array kLeftOut = {"after", "cd", "encoding", "exec", "exit", "fil
                                  "::tcl::info::nameofexecutable", "::tcl::unsupported::assemble",
                                  "::tcl::unsupported::inject", "::tcl::zlib::push"};
 
-int refuse(ClientData, Tcl_Interp* interp, int, Tcl_Obj* const objv[]) {
-    std::string name(textOf(objv[0]));
-    if (name.starts_with("::tcl::"))
-        for (std::size_t at = (name.erase(0, 7), name.find("::")); at != name.npos; at = name.find("::"))
-            name.replace(at, 2, " ");
+// As scripts call it, e.g. "chan pipe".
+std::string shownName(std::string name) {
+    constexpr std::string_view kSpace = "::tcl::";
+    if (!name.starts_with(kSpace)) return name;
+    name.erase(0, kSpace.size());
+    return name.replace(name.find("::"), 2, " ");
+}
+
+// command: its name at first, for a script may have given it another one.
+int refuse(ClientData command, Tcl_Interp* interp, int, Tcl_Obj* const*) {
+    const std::string name = shownName(static_cast<const char*>(command));
     Tcl_SetObjResult(interp, textObject(name + ": --safe leaves this command out"));
     Tcl_SetErrorCode(interp, "GR", "SAFE", "COMMAND", name.c_str(), nullptr);
     return TCL_ERROR;
@@ -44,7 +50,7 @@ Tcl_Interp* makeSafeInterp(Tcl_Interp* parent) {
     evaluate(parent, "package require msgcat; clock format 0; clock scan 12:00");
     Tcl_Interp* child = Tcl_CreateSlave(parent, "scene", 1);
     if (child == nullptr) throw std::runtime_error("Tcl makes no safe interpreter");
-    for (const char* name : kLeftOut) Tcl_CreateObjCommand(child, name, refuse, nullptr, nullptr);
+    for (const char* name : kLeftOut) Tcl_CreateObjCommand(child, name, refuse, const_cast<char*>(name), nullptr);
     // Channels are files below the script's folder, and the two standard ones.
     if (Tcl_ExposeCommand(child, "fconfigure", "fconfigure") != TCL_OK)
         throw std::runtime_error(stringOf(Tcl_GetObjResult(child)));
