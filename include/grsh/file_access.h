@@ -46,7 +46,7 @@ private:
     };
     using Roots = std::vector<Root>;
 
-    static Roots openRoots(const std::vector<std::string>& folders);
+    static Roots openRoots(const char* verb, const std::vector<std::string>& folders);
     image::FileName openFile(const std::string& name, const Roots& roots) const;
 
     bool isSafe_ = false;

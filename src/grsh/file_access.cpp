@@ -64,16 +64,16 @@ std::string plainPath(const std::string& name) {
 }
 
 FileAccess::FileAccess(const std::vector<std::string>& reads, const std::vector<std::string>& writes)
-    : isSafe_(true), reads_(openRoots(reads)), writes_(openRoots(writes)) {}
+    : isSafe_(true), reads_(openRoots("read", reads)), writes_(openRoots("write", writes)) {}
 
-FileAccess::Roots FileAccess::openRoots(const std::vector<std::string>& folders) {
+FileAccess::Roots FileAccess::openRoots(const char* verb, const std::vector<std::string>& folders) {
     Roots roots;
     for (const std::string& given : folders) {
         Descriptor descriptor(::open(given.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-        if (!descriptor.isOpen()) fail("read", given, std::strerror(errno));
+        if (!descriptor.isOpen()) fail(verb, given, std::strerror(errno));
         std::error_code failed;
         const std::string path = fs::read_symlink(descriptor.path(), failed).string();
-        if (failed) fail("read", given, failed.message());
+        if (failed) fail(verb, given, failed.message());
         roots.push_back({{std::move(descriptor), path}, plainPath(given)});
     }
     return roots;
