@@ -25,10 +25,10 @@ proc writeBytes {file bytes} {
 
 proc makeOutside {picture} {
     write outside/secret.tcl "puts secret-7f3a\nset secret secret-7f3a\n"
-    write outside/secret.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n"
+    write outside/secret.obj "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 4\n"
     write outside/secret.mtl "newmtl secret-7f3a\n"
     write outside/victim.png victim
-    writeBytes outside/secret.bin [triangleNumbers]
+    writeBytes outside/secret.bin secret-7f3a
     file copy $picture outside/secret.png
 }
 
