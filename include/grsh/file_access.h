@@ -32,10 +32,9 @@ public:
     // The folder to read below that an absolute path lies in; null without --safe. name: for messages.
     const core::Folder* folderToRead(const std::string& path, const std::string& name) const;
 
-    // Opens what may be read; errno is EXDEV where it may not. With a trace of neither name nor reason, for Tcl's own
-    // use of files.
-    core::Descriptor open(const std::string& name, int flags) const;
-    // For Tcl itself only: its library, or standard input as a script.
+    // Tcl's own use of files: what a script may read, and what only Tcl may, like its library. errno is EXDEV for
+    // anything else.
+    core::Descriptor openForTcl(const std::string& name, int flags) const;
     void letTclRead(const std::string& path);
 
 private:

@@ -118,10 +118,15 @@ const core::Folder* FileAccess::folderToRead(const std::string& path, const std:
     fail("read", name, only("read", reads_));
 }
 
-Descriptor FileAccess::open(const std::string& name, int flags) const {
+Descriptor FileAccess::openForTcl(const std::string& name, int flags) const {
     const std::string path = plainPath(name);
     for (const std::string& file : tclFiles_)
         if (core::pathBelow(file, path)) return Descriptor(::open(path.c_str(), flags | O_CLOEXEC));
+    // An encoding is Tcl's own, whose reader trusts it.
+    if (path.ends_with(".enc")) {
+        errno = EXDEV;
+        return Descriptor();
+    }
     return openInAny(reads_, path, [&](int below, const std::string& rest) {
         if (flags & O_PATH) return core::openBelow(below, rest, flags);
         return core::openFileBelow(below, rest);

@@ -29,7 +29,7 @@ std::string nameOf(Tcl_Obj* path) {
 core::Descriptor openFor(Tcl_Obj* path, int flags) {
     try {
         const std::string name = nameOf(path);
-        if (!name.empty()) return access->open(name, flags);
+        if (!name.empty()) return access->openForTcl(name, flags);
     } catch (const std::exception&) {
     }
     errno = EACCES;

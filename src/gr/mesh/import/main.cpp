@@ -1,4 +1,5 @@
 // grsh_import: reads a mesh file and writes its faces to gr::importChannel; see include/gr/mesh/mesh_import.h.
+#include "gr/mesh/import/confinement.h"
 #include "gr/mesh/import/read_only_files.h"
 #include "gr/mesh/import/scene_flattener.h"
 #include "gr/mesh/mesh_import.h"
@@ -134,6 +135,7 @@ int main(int argc, char** argv) {
     // Nobody waits for what is read here when grsh has ended.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     limitResources(std::strtoul(argv[2], nullptr, 10), std::strtoul(argv[3], nullptr, 10));
+    if (argc == 5) gr::importer::confineTo(gr::importFolder);
     try {
         importFile(argv[1], argv[4]);
     } catch (const std::bad_alloc&) {
