@@ -40,6 +40,7 @@ proc makeScene {picture} {
     write scene/parent.gltf [gltf ../outside/secret.bin]
     write scene/absolute.gltf [gltf [file normalize outside/secret.bin]]
     write scene/link.gltf [gltf link.bin]
+    write scene/evil.enc "# an encoding\nS\n003F 0 1\n"
     writeBytes scene/own.bin [triangleNumbers]
     file copy $picture scene/picture.png
     makeLinks
