@@ -2,6 +2,8 @@
 #pragma once
 
 #include "gr/database/database.h"
+#include "grsh/file_access.h"
+#include "grsh/limits.h"
 #include "grsh/tcl_value.h"
 #include "grsh/words.h"
 
@@ -16,6 +18,8 @@ namespace grsh {
 struct Session {
     gr::Database database;
     Value lastRender;  // what the last gr_render returned, or null
+    const FileAccess* files = nullptr;  // never null where commands run
+    Limits limits;
     bool resumes = false;  // the default of gr_render's option resume
 };
 
@@ -50,7 +54,9 @@ std::span<const Command> renderCommands();
 std::span<const Command> imageCommands();
 std::span<const Command> statsCommands();
 std::span<const Command> helpCommands();
-// All of them, in the order in which help lists them.
+// Those that are Tcl's own without --safe.
+std::span<const Command> safeCommands();
+// All of ours, in the order in which help lists them.
 std::vector<const Command*> allCommands();
 
 // The options that a command takes, as text for gr_help; empty for a command without any.
@@ -58,8 +64,8 @@ std::string materialOptionsHelp();
 std::string renderOptionsHelp();
 std::string compareOptionsHelp();
 
-// Creates the commands, and a session that lives as long as the interpreter.
-void registerCommands(Tcl_Interp* interp);
+// Creates the commands, and a session that lives as long as the interpreter; files lives longer.
+void registerCommands(Tcl_Interp* interp, const FileAccess& files, const Limits& limits, bool resumes);
 
 inline Tcl_Obj* textObject(std::string_view text) {
     return Tcl_NewStringObj(text.data(), static_cast<int>(text.size()));
@@ -67,6 +73,11 @@ inline Tcl_Obj* textObject(std::string_view text) {
 
 // Prints a warning with the place in the script to standard error.
 void warn(Call& call, const std::string& text);
+
+// Thrown by a command that has run a script, with that script's error or other end as the result.
+struct ScriptEnded {
+    int code;
+};
 
 // "wrong # args", for word counts that lie between a row's least and most but are none of the command's.
 [[noreturn]] void throwWrongWords();

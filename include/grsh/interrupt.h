@@ -5,18 +5,28 @@
 #include <tcl.h>
 
 #include <atomic>
+#include <string>
 #include <thread>
 
 namespace grsh {
 
 // True from a signal until the shell clears it before the next evaluation: the renderer's stop flag.
 std::atomic<bool>& interrupted();
-// Which it was. A prompt goes on after a Ctrl-C, SIGINT, and ends after any other.
-int interruptSignal();
-// What a process exits with that a signal has ended, as shells have it.
-inline int exitCodeOf(int signal) {
-    return 128 + signal;
-}
+// A prompt goes on after a Ctrl-C, and ends after anything else.
+bool endsThePrompt();
+
+// What is printed where a signal has ended a script or a prompt, and the exit code: 128 + the signal, as shells have
+// it.
+struct Ending {
+    std::string message;
+    int code;
+};
+Ending ending();
+
+// Interrupts as the first Ctrl-C does, from any thread, with another ending; only once.
+void endWith(Ending ending);
+// Ends the process now, with the ending's message and code.
+[[noreturn]] void endAtOnce();
 
 // Held by a command while it works long and polls interrupted(): it gives up what it has begun, tidies and returns an
 // error, and no "catch" round it goes on.

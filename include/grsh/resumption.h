@@ -1,6 +1,7 @@
 // What has been rendered of a picture, kept in a file beside it.
 #pragma once
 
+#include "grsh/file_access.h"
 #include "grsh/render_job.h"
 #include "render/accumulate/state_file.h"
 #include "render/render.h"
@@ -9,7 +10,7 @@ namespace grsh {
 
 class Resumption {
 public:
-    Resumption(const RenderJob& job, render::StateWords words);
+    Resumption(const RenderJob& job, const FileAccess& files, render::StateWords words);
 
     // Where the picture is to be resumed and there is such a file. Throws core::Error where that is of another picture.
     void read(render::Accumulation& accumulation) const;
@@ -23,7 +24,8 @@ private:
     void write(const render::Accumulation& accumulation) const;
 
     const RenderJob& job_;
-    std::string path_;
+    const FileAccess& files_;
+    std::string name_;
     render::StateWords words_;
     bool isTold_ = false;
 };

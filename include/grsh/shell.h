@@ -3,8 +3,12 @@
 
 #include <tcl.h>
 
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "grsh/command_line.h"
+#include "grsh/file_access.h"
 
 namespace grsh {
 
@@ -13,21 +17,27 @@ void print(int standardChannel, const std::string& text);
 
 class Shell {
 public:
-    // program: its name as it was called.
-    explicit Shell(const std::string& program);
+    // program: its name as it was called. Throws core::Error, e.g. for a folder that the line names and is not there.
+    Shell(const std::string& program, const CommandLine& line);
     ~Shell();
     Shell(const Shell&) = delete;
     Shell& operator=(const Shell&) = delete;
 
-    // Each returns the process's exit code. Scripts see argv0 as their name and words as their further arguments.
+    // Runs what the line says and returns the process's exit code.
+    int run();
+
+private:
+    // Scripts see argv0 as their name and words as their further arguments.
     int runScript(const std::string& script, const std::vector<std::string>& words);
     int runStandardInput(const std::string& argv0, const std::vector<std::string>& words);
     int runPrompt(const std::string& argv0);
-
-private:
     int runFile(const std::string& typed, const std::string& path);
 
-    Tcl_Interp* interp;
+    std::string program;
+    CommandLine line;
+    FileAccess files;
+    Tcl_Interp* parent;  // what all interpreters belong to
+    Tcl_Interp* interp;  // what scripts run in: the parent, or with --safe its child
 };
 
 }  // namespace grsh

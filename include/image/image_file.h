@@ -1,10 +1,12 @@
 // Pictures on disk: complete, or not there.
 #pragma once
 
+#include "core/open_below.h"
 #include "image/film.h"
 #include "image/image.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace image {
 
@@ -14,13 +16,28 @@ double decodeSrgb(double encoded);
 // The curve, rounded to 8 bits. radiance: linear; below 0 is 0, above 1 is 255.
 std::uint8_t toSrgb8(float radiance);
 
+// A file as messages call it, and where it is.
+struct FileName {
+    // Where its name says, links followed.
+    FileName(const std::string& name) : name(name), path(name) {}
+    // Where somebody has made sure of: a file that is open, or a place in a folder that is, where a link is replaced.
+    FileName(const std::string& name, const std::string& path, core::Descriptor open)
+        : name(name), path(path), open(std::make_shared<core::Descriptor>(std::move(open))) {}
+
+    std::string name;
+    std::string path;
+    std::shared_ptr<const core::Descriptor> open;  // what the path goes through, or null
+};
+
 // A picture that is going to be written, in the format that the path's ending names. Throws core::Error at once when
 // that cannot work: an ending of no format, or of one that holds no layers, a folder that is not there or not writable,
 // a name that is something other than a file.
 class ImageFile {
 public:
     // layers: what the film will have.
-    explicit ImageFile(const std::string& path, std::span<const Layer> layers = {});
+    explicit ImageFile(const FileName& file, std::span<const Layer> layers = {});
+    explicit ImageFile(const std::string& path, std::span<const Layer> layers = {})
+        : ImageFile(FileName(path), layers) {}
 
     // exposure: in stops; formats of linear radiance have no use for it. The file is written beside its place and then
     // renamed. Throws core::Error when the disk is full or the like; nothing is left behind then.
@@ -29,20 +46,23 @@ public:
     void write(const Image& image) const;
 
     // Throws core::Error where the file would replace that one, by whatever name;
-    void checkIsNot(const std::string& input) const;
+    void checkIsNot(const FileName& input) const;
     // and also where it has another ending.
-    void checkAgainst(const std::string& input) const;
+    void checkAgainst(const FileName& input) const;
 
 private:
     template<class Write>
     void writeWith(const Write& write) const;
 
-    std::string path_;  // as given, for messages
+    FileName file_;
     std::filesystem::path target_;  // where links lead
 };
 
 // Reads a picture in the format that the path's ending names. Throws core::Error, which names the file, for what is not
 // there or not whole.
-Image readImage(const std::string& path);
+Image readImage(const FileName& file);
+inline Image readImage(const std::string& path) {
+    return readImage(FileName(path));
+}
 
 }  // namespace image

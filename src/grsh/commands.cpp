@@ -49,6 +49,8 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
         return TCL_OK;
     } catch (const WrongWords&) {
         return wrongWords(interp, binding);
+    } catch (const ScriptEnded& script) {
+        return script.code;
     } catch (const core::Error& error) {
         return failed(interp, binding.name, error);
     } catch (const std::bad_alloc&) {
@@ -63,23 +65,29 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
 int unknownCommand(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
     const State& state = *static_cast<const State*>(data);
     const std::string_view name = objc > 1 ? textOf(objv[1]) : std::string_view{};
-    if (!name.starts_with("gr_")) {
+    const bool isOurs = name.starts_with("gr_");
+    if (!isOurs && state.tclUnknown != nullptr) {
         std::vector<Tcl_Obj*> words(objv, objv + objc);
         words[0] = state.tclUnknown;
         return Tcl_EvalObjv(interp, objc, words.data(), 0);
     }
     std::vector<std::string_view> names;
-    for (const auto& binding : state.bindings) names.push_back(binding->name);
-    const std::string message = "invalid command name \"" + std::string(name) + "\"" + core::didYouMean(name, names);
+    for (const auto& binding : state.bindings)
+        if (binding->name.starts_with("gr_")) names.push_back(binding->name);
+    const std::string message =
+        "invalid command name \"" + std::string(name) + "\"" + (isOurs ? core::didYouMean(name, names) : "");
     Tcl_SetObjResult(interp, textObject(message));
     Tcl_SetErrorCode(interp, "TCL", "LOOKUP", "COMMAND", std::string(name).c_str(), nullptr);
     return TCL_ERROR;
 }
 
+// A safe interpreter has no `unknown` of Tcl's.
 void wrapUnknown(Tcl_Interp* interp, State& state) {
-    state.tclUnknown = Tcl_NewStringObj("::tcl::unknown", -1);
-    Tcl_IncrRefCount(state.tclUnknown);
-    if (Tcl_Eval(interp, "rename ::unknown ::tcl::unknown") != TCL_OK) return;
+    if (!Tcl_IsSafe(interp)) {
+        state.tclUnknown = Tcl_NewStringObj("::tcl::unknown", -1);
+        Tcl_IncrRefCount(state.tclUnknown);
+        if (Tcl_Eval(interp, "rename ::unknown ::tcl::unknown") != TCL_OK) return;
+    }
     Tcl_CreateObjCommand(interp, "::unknown", unknownCommand, &state, nullptr);
 }
 
@@ -110,10 +118,16 @@ std::vector<const Command*> allCommands() {
     return commands;
 }
 
-void registerCommands(Tcl_Interp* interp) {
+void registerCommands(Tcl_Interp* interp, const FileAccess& files, const Limits& limits, bool resumes) {
     State* state = new State;
+    state->session.files = &files;
+    state->session.limits = limits;
+    state->session.resumes = resumes;
     Tcl_SetAssocData(interp, stateKey, deleteState, state);
-    for (const Command* command : allCommands()) {
+    std::vector<const Command*> commands = allCommands();
+    if (files.isSafe())
+        for (const Command& command : safeCommands()) commands.push_back(&command);
+    for (const Command* command : commands) {
         for (const std::string_view name : {command->name, command->alias}) {
             if (name.empty()) continue;
             state->bindings.push_back(std::make_unique<Binding>(Binding{command, name, &state->session}));

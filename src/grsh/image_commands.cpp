@@ -24,13 +24,15 @@ void checkInterrupt() {
 
 Tcl_Obj* median(Call& call) {
     const std::string in = call.words.fileName(0, "in"), out = call.words.fileName(1, "out");
+    const FileAccess& files = *call.session.files;
     constexpr core::Range range{.least = 1, .most = image::largestMedian};
     const int n = call.words.integer(2, "n", range);
     if (n % 2 == 0) throwBadValue("n", "odd, from 1 to 15", call.words.object(2));
     const InterruptScope scope(call.interp);
-    const image::ImageFile file(out);
-    file.checkAgainst(in);
-    image::Image image = image::readImage(in);
+    const image::ImageFile file(files.toWrite(out));
+    const image::FileName from = files.toRead(in);
+    file.checkAgainst(from);
+    image::Image image = image::readImage(from);
     image::applyMedian(image, n);
     image.metadata.emplace_back("grsh:median", std::to_string(n));
     checkInterrupt();
@@ -70,9 +72,10 @@ double mean(std::span<const float> numbers) {
 }
 
 // The pictures a and b, of the same size.
-std::pair<Colours, Colours> readBoth(const std::string& a, const std::string& b) {
-    std::pair<Colours, Colours> both{image::coloursOf(image::readImage(a), a),
-                                     image::coloursOf(image::readImage(b), b)};
+std::pair<Colours, Colours> readBoth(const image::FileName& fileA, const image::FileName& fileB) {
+    const std::string &a = fileA.name, &b = fileB.name;
+    std::pair<Colours, Colours> both{image::coloursOf(image::readImage(fileA), a),
+                                     image::coloursOf(image::readImage(fileB), b)};
     const auto size = [](const Colours& colours) {
         return std::to_string(colours.width) + " x " + std::to_string(colours.height);
     };
@@ -84,16 +87,18 @@ std::pair<Colours, Colours> readBoth(const std::string& a, const std::string& b)
 }
 
 Tcl_Obj* compareCommand(Call& call) {
-    const std::string paths[] = {call.words.fileName(0, "a"), call.words.fileName(1, "b")};
+    const FileAccess& files = *call.session.files;
+    const std::string names[] = {call.words.fileName(0, "a"), call.words.fileName(1, "b")};
     CompareSettings settings;
     readOptions(call.words, 2, "no such option", settings);
     const InterruptScope scope(call.interp);
+    const image::FileName inputs[] = {files.toRead(names[0]), files.toRead(names[1])};
     std::optional<image::ImageFile> file;
     if (!settings.difference.empty()) {
-        file.emplace(settings.difference);
-        for (const std::string& path : paths) file->checkIsNot(path);
+        file.emplace(files.toWrite(settings.difference));
+        for (const image::FileName& input : inputs) file->checkIsNot(input);
     }
-    const auto [a, b] = readBoth(paths[0], paths[1]);
+    const auto [a, b] = readBoth(inputs[0], inputs[1]);
 
     const image::Comparison figures = image::compare(a, b);
     std::vector<float> flip;
@@ -119,20 +124,21 @@ Tcl_Obj* compareCommand(Call& call) {
 
 Tcl_Obj* assembleCommand(Call& call) {
     const InterruptScope scope(call.interp);
-    const image::ImageFile file(call.words.fileName(0, "out"));
-    std::vector<std::string> paths;
-    std::set<std::filesystem::path> files;
+    const FileAccess& files = *call.session.files;
+    const image::ImageFile file(files.toWrite(call.words.fileName(0, "out")));
+    std::vector<image::FileName> inputs;
+    std::set<std::filesystem::path> paths;
     for (std::size_t i = 1; i < call.words.size(); ++i) {
-        paths.push_back(call.words.fileName(i, "strip"));
-        file.checkAgainst(paths.back());
+        const image::FileName& input = inputs.emplace_back(files.toRead(call.words.fileName(i, "strip")));
+        file.checkAgainst(input);
         std::error_code failed;
-        const std::filesystem::path path = std::filesystem::weakly_canonical(paths.back(), failed);
-        if (!failed && !files.insert(path).second)
-            throw core::Error("STRIP", "TWICE", paths.back(), "\"" + paths.back() + "\" is given twice");
+        const std::filesystem::path path = std::filesystem::weakly_canonical(input.path, failed);
+        if (!failed && !paths.insert(path).second)
+            throw core::Error("STRIP", "TWICE", input.name, "\"" + input.name + "\" is given twice");
     }
     std::vector<render::Strip> strips;
-    for (const std::string& path : paths) {
-        strips.push_back({path, image::readImage(path)});
+    for (const image::FileName& input : inputs) {
+        strips.push_back({input.name, image::readImage(input)});
         checkInterrupt();
     }
     file.write(render::assemble(std::move(strips)));

@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <chrono>
+#include <optional>
+#include <utility>
 
 #include "image/temporary_file.h"
 
@@ -27,6 +29,7 @@ std::atomic<int> firstSignal = 0;
 std::atomic<int> scopes = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<long>::is_always_lock_free);
 sem_t wake;
+std::optional<Ending> theEnding;  // another one than a signal has
 
 long milliseconds() {
     timespec now;
@@ -34,14 +37,20 @@ long milliseconds() {
     return now.tv_sec * 1000L + now.tv_nsec / 1000000L;
 }
 
+// False where it has begun before.
+bool beginEnd(long now) {
+    if (isInterrupted.exchange(true)) return false;
+    firstAt = now;
+    isActedUpon = false;
+    return true;
+}
+
 // Calls nothing that a signal handler may not call; Tcl_AsyncMark locks, so a thread of its own calls that.
 void onInterrupt(int number) {
     const int savedErrno = errno;
     const long now = milliseconds();
-    if (!isInterrupted.exchange(true)) {
-        firstAt = now;
+    if (beginEnd(now)) {
         firstSignal = number;
-        isActedUpon = false;
     } else if (number != SIGXCPU && now - firstAt >= kSecondCounts) {
         // SIGXCPU comes again every second.
         image::removeTemporaryFiles();
@@ -73,10 +82,7 @@ void endScriptThatWaits() {
         if (isActedUpon || isEnding) return;
         if (scopes > 0) until = Clock::now() + kGrace;
     }
-    constexpr char kMessage[] = "grsh: interrupted\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
-    image::removeTemporaryFiles();
-    _exit(exitCodeOf(firstSignal));
+    endAtOnce();
 }
 
 void waitForInterrupts(Tcl_AsyncHandler mark, InterruptHandler::Runs runs) {
@@ -95,8 +101,28 @@ std::atomic<bool>& interrupted() {
     return isInterrupted;
 }
 
-int interruptSignal() {
-    return firstSignal;
+bool endsThePrompt() {
+    return isInterrupted && firstSignal != SIGINT;
+}
+
+Ending ending() {
+    if (theEnding) return *theEnding;
+    constexpr int bySignal = 128;
+    return {"grsh: interrupted\n", bySignal + firstSignal};
+}
+
+void endWith(Ending ending) {
+    if (isInterrupted) return;
+    theEnding = std::move(ending);
+    beginEnd(milliseconds());
+    sem_post(&wake);
+}
+
+void endAtOnce() {
+    const Ending now = ending();
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, now.message.data(), now.message.size());
+    image::removeTemporaryFiles();
+    _exit(now.code);
 }
 
 InterruptScope::InterruptScope(Tcl_Interp* interp) : interp(interp) {

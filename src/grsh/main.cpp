@@ -1,14 +1,13 @@
 // grsh's command line.
-#include <unistd.h>
-
-#include <array>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/error.h"
+#include "grsh/command_line.h"
+#include "grsh/last_words.h"
 #include "grsh/shell.h"
 
 namespace {
@@ -16,64 +15,33 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
-constexpr const char* kHelp =
-    R"(usage: grsh [options] [script.gr [arg ...]]
-
-Runs a scene script, a Tcl script with the gr_* commands besides. Without a script it shows a prompt, or runs
-standard input where that is no terminal.
-
-  -          run standard input as the script
-  --         end of the options: the next word is the script whatever it begins with
-  --help     show this text
-  --version  show the version
-
-The script finds its further words in argv. An error is shown as "file:line: message" and exits 1, wrong usage
-exits 2, Ctrl-C exits 130.
-
-  grsh scenes/hello.gr           renders the smallest scene
-  echo 'puts [gr_help]' | grsh -    lists the commands; 'puts [gr_help gr_render]' explains one
-)";
-
 int wrongUsage(const std::string& message) {
-    std::fprintf(stderr, "grsh: %s\nusage: grsh [options] [script.gr [arg ...]]; grsh --help shows more\n",
-                 message.c_str());
+    std::fprintf(stderr, "grsh: %s\n%s; grsh --help shows more\n", message.c_str(), grsh::usageLine().c_str());
     return kWrongUsage;
 }
 
-bool isOption(const std::string& word) {
-    return word.size() > 1 && word[0] == '-';
-}
-
-// --help and --version stand alone.
-int answer(const std::vector<std::string>& words) {
-    constexpr std::array<std::string_view, 2> kOptions = {"--help", "--version"};
-    const std::string& option = words[0];
-    if (option != "--help" && option != "--version")
-        return wrongUsage("unknown option \"" + option + "\"" + core::didYouMean(option, kOptions));
-    if (words.size() > 1) return wrongUsage("unexpected word \"" + words[1] + "\" after " + option);
-    std::fputs(option == "--help" ? kHelp : "grsh " GRSH_VERSION "\n", stdout);
-    return 0;
-}
-
-int run(const std::string& program, std::vector<std::string> words) {
-    const bool endsOptions = !words.empty() && words[0] == "--";
-    if (!words.empty() && !endsOptions && isOption(words[0])) return answer(words);
-    if (endsOptions) words.erase(words.begin());
-    grsh::Shell shell(program);
-    if (words.empty()) return isatty(STDIN_FILENO) ? shell.runPrompt(program) : shell.runStandardInput(program, {});
-    const std::string script = words[0];
-    words.erase(words.begin());
-    if (script == "-" && !endsOptions) return shell.runStandardInput(script, words);
-    return shell.runScript(script, words);
+int run(const std::string& program, const grsh::CommandLine& line) {
+    using Asks = grsh::CommandLine::Asks;
+    if (line.asks == Asks::help) std::fputs(grsh::helpText().c_str(), stdout);
+    if (line.asks == Asks::version) std::fputs("grsh " GRSH_VERSION "\n", stdout);
+    if (line.asks != Asks::run) return 0;
+    if (line.isSafe || line.limits.bytes) grsh::prepareLastWords();
+    if (line.limits.bytes) grsh::limitMemory(*line.limits.bytes);
+    return grsh::Shell(program, line).run();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        return run(argv[0], {argv + 1, argv + argc});
+        return run(argv[0], grsh::readCommandLine({argv + 1, argv + argc}));
+    } catch (const core::Error& error) {
+        if (error.topic == "USAGE") return wrongUsage(error.what());
+        std::fprintf(stderr, "grsh: %s\n", error.what());
+    } catch (const std::bad_alloc&) {
+        std::fputs("grsh: out of memory\n", stderr);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "grsh: %s\n", error.what());
-        return kFailed;
     }
+    return kFailed;
 }

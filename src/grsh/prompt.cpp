@@ -1,7 +1,6 @@
 #include "grsh/prompt.h"
 
 #include <poll.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <string>
@@ -63,7 +62,7 @@ void evaluate(Tcl_Interp* interp, const std::string& command) {
 int runPrompt(Tcl_Interp* interp) {
     std::string command;
     while (true) {
-        if (interrupted() && interruptSignal() != SIGINT) return exitCodeOf(interruptSignal());
+        if (endsThePrompt()) return ending().code;
         interrupted() = false;
         showPrompt(interp, !command.empty());
         const Read read = readLine(command);

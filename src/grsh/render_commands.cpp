@@ -72,16 +72,16 @@ render::RenderResult renderOn(render::Accumulation& accumulation, const RenderJo
 }
 
 // The picture as it is now, in its place; and what is needed to go on with it.
-void publish(const image::ImageFile& file, const RenderJob& job, const render::RenderResult& result,
-             const render::Accumulation& accumulation, const Resumption& resumption, const image::Film& film,
-             const image::Metadata& metadata) {
+void publish(const image::ImageFile& file, const FileAccess& files, const RenderJob& job,
+             const render::RenderResult& result, const render::Accumulation& accumulation, const Resumption& resumption,
+             const image::Film& film, const image::Metadata& metadata) {
     if (result.samplesPerPixel == 0) {
         resumption.end(result, accumulation, false);
         throw core::Error("RENDER", "INTERRUPTED", job.file,
                           "interrupted before each pixel had a sample: \"" + job.file + "\" is not written");
     }
     try {
-        writeOrRescue(file, job, film, metadata);
+        writeOrRescue(file, files, job, film, metadata);
     } catch (const core::Error&) {
         resumption.end(result, accumulation, false);
         throw;
@@ -96,10 +96,10 @@ Tcl_Obj* renderCommand(Call& call) {
     const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights, gr::Origin::isNear);
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
-    const image::ImageFile file(job.file, job.layers());
+    const image::ImageFile file(call.session.files->toWrite(job.file), job.layers());
     image::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
     render::Accumulation accumulation(film);
-    Resumption resumption(job, stateWordsOf(job, scene));
+    Resumption resumption(job, *call.session.files, stateWordsOf(job, scene));
     resumption.read(accumulation);
     warnOfScene(call, job, scene);
 
@@ -116,7 +116,8 @@ Tcl_Obj* renderCommand(Call& call) {
 
     // Write the picture, and say what was done.
     accumulation.store(film);
-    publish(file, job, result, accumulation, resumption, film, metadataOf(job, scene, result, scriptName(call.interp)));
+    publish(file, *call.session.files, job, result, accumulation, resumption, film,
+            metadataOf(job, scene, result, scriptName(call.interp)));
     warnOfNoise(call, job, result);
     const double sumBytes = render::Accumulation::bytesFor(job.width, job.lines(), film.hasLayers());
     const RenderReport report{result,

@@ -71,6 +71,25 @@ void checkLines(const RenderJob& job) {
                               std::to_string(job.startLine()) + "\"");
 }
 
+void checkLimits(const RenderJob& job, const Limits& limits) {
+    const std::uint64_t pixels = static_cast<std::uint64_t>(job.width) * static_cast<std::uint64_t>(job.height);
+    if (limits.pixels && pixels > *limits.pixels)
+        throw core::Error("LIMIT", "PIXELS", job.file,
+                          "a picture of " + std::to_string(job.width) + " x " + std::to_string(job.height) +
+                              " pixels has more than --limit-pixels " + std::to_string(*limits.pixels));
+    if (limits.samples && job.settings.mostSamples() > *limits.samples)
+        throw core::Error("LIMIT", "SAMPLES", job.file,
+                          "samplesperpixel " + std::to_string(job.settings.mostSamples()) +
+                              " is more than --limit-samples " + std::to_string(*limits.samples));
+}
+
+// Where neither the script nor its words say how many samples there may be, the limit does.
+void applyLimits(RenderJob& job, const Limits& limits) {
+    if (limits.samples && !job.settings.samplesPerPixel && job.settings.mostSamples() > *limits.samples)
+        job.settings.samplesPerPixel = *limits.samples;
+    checkLimits(job, limits);
+}
+
 void checkMemory(const RenderJob& job) {
     const double needed = image::Film::bytesFor(job.width, job.lines(), job.layers()) +
                           render::Accumulation::bytesFor(job.width, job.lines(), !job.settings.layers.empty());
@@ -93,6 +112,7 @@ RenderJob readRenderJob(Call& call) {
     readCamera(call, job);
     readTail(call, job);
     checkLines(job);
+    applyLimits(job, call.session.limits);
     render::checkLanes(job.settings.lanes);
     checkMemory(job);
     return job;

@@ -22,14 +22,15 @@ fs::path freeName(const fs::path& folder, const fs::path& name) {
     }
 }
 
-std::optional<std::string> rescued(const RenderJob& job, const image::Film& film, const image::Metadata& metadata) {
+std::optional<std::string> rescued(const FileAccess& files, const RenderJob& job, const image::Film& film,
+                                   const image::Metadata& metadata) {
     std::vector<fs::path> folders{"."};
     if (const char* temporary = std::getenv("TMPDIR"); temporary != nullptr) folders.emplace_back(temporary);
     folders.emplace_back("/tmp");
     for (const fs::path& folder : folders) {
         try {
             const fs::path place = freeName(folder, fs::path(job.file).filename());
-            image::ImageFile(place.string(), job.layers()).write(film, job.settings.exposure, metadata);
+            image::ImageFile(files.toWrite(place.string()), job.layers()).write(film, job.settings.exposure, metadata);
             return place.string();
         } catch (const core::Error&) {
         }
@@ -39,12 +40,12 @@ std::optional<std::string> rescued(const RenderJob& job, const image::Film& film
 
 }  // namespace
 
-void writeOrRescue(const image::ImageFile& file, const RenderJob& job, const image::Film& film,
+void writeOrRescue(const image::ImageFile& file, const FileAccess& files, const RenderJob& job, const image::Film& film,
                    const image::Metadata& metadata) {
     try {
         file.write(film, job.settings.exposure, metadata);
     } catch (const core::Error& error) {
-        const std::optional<std::string> place = rescued(job, film, metadata);
+        const std::optional<std::string> place = rescued(files, job, film, metadata);
         if (!place) throw;
         throw core::Error(error.topic, error.reason, error.word,
                           std::string(error.what()) + "; the picture is in \"" + *place + "\"");

@@ -1,16 +1,24 @@
 #include "grsh/resumption.h"
 
 #include "core/parallel.h"
+#include "image/image_file.h"
 
 #include <unistd.h>
 
+#include <filesystem>
+
 namespace grsh {
 
-Resumption::Resumption(const RenderJob& job, render::StateWords words)
-    : job_(job), path_(job.file + ".grsh-state"), words_(std::move(words)) {}
+Resumption::Resumption(const RenderJob& job, const FileAccess& files, render::StateWords words)
+    : job_(job), files_(files), name_(job.file + ".grsh-state"), words_(std::move(words)) {
+    // A place where it may not be written is told before the first ray.
+    if (job.settings.resume || job.settings.keep) files.toWrite(name_);
+}
 
 void Resumption::read(render::Accumulation& accumulation) const {
-    if (job_.settings.resume) render::readState(path_, words_, job_.settings.mostSamples(), accumulation);
+    std::error_code failed;
+    if (!job_.settings.resume || !std::filesystem::exists(name_, failed)) return;
+    render::readState(files_.toReadBack(name_), words_, job_.settings.mostSamples(), accumulation);
 }
 
 render::Checkpoints Resumption::checkpoints(Call& call, const render::Accumulation& accumulation) {
@@ -32,11 +40,11 @@ void Resumption::end(const render::RenderResult& result, const render::Accumulat
     if (job_.settings.keep || (job_.settings.resume && !isOver))
         write(accumulation);
     else if (job_.settings.resume)
-        unlink(path_.c_str());
+        unlink(files_.toWrite(name_).path.c_str());
 }
 
 void Resumption::write(const render::Accumulation& accumulation) const {
-    render::writeState(path_, words_, accumulation, core::threadCount(job_.settings.threads));
+    render::writeState(files_.toWrite(name_), words_, accumulation, core::threadCount(job_.settings.threads));
 }
 
 }  // namespace grsh

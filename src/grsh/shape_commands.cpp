@@ -154,7 +154,9 @@ Tcl_Obj* makeMesh(Call& call) {
     checkNew(call);
     const std::string file(call.words.text(2));
     gr::MeshRepairs repairs;
-    const auto polyhedron = call.session.database.readMesh(besideScript(call.interp, file), file, repairs);
+    const std::string place = besideScript(call.interp, file);
+    const core::Folder* below = call.session.files->folderToRead(place, file);
+    const auto polyhedron = call.session.database.readMesh(place, file, repairs, below);
     Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron, file});
     if (const std::string text = repairs.text(); !text.empty())
         warn(call, "gr_mesh: " + std::string(textOf(path)) + ": \"" + file + "\": " + text);

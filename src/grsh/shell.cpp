@@ -15,7 +15,11 @@
 #include "grsh/error_place.h"
 #include "grsh/interrupt.h"
 #include "grsh/prompt.h"
+#include "grsh/safe_files.h"
+#include "grsh/safe_interp.h"
 #include "grsh/tcl_value.h"
+#include "grsh/time_limit.h"
+#include "image/image_file.h"
 
 namespace grsh {
 namespace {
@@ -52,8 +56,20 @@ int cannotRead(const std::string& what, int error) {
 }
 
 int sayInterrupted() {
-    print(TCL_STDERR, "grsh: interrupted\n");
-    return exitCodeOf(interruptSignal());
+    print(TCL_STDERR, ending().message);
+    return ending().code;
+}
+
+// The script's folder and the current one, and those that the line adds.
+FileAccess filesOf(const CommandLine& line) {
+    if (!line.isSafe) return {};
+    const bool isFile = line.script && !line.isStandardInput;
+    const std::size_t slash = isFile ? line.script->rfind('/') : std::string::npos;
+    std::vector<std::string> reads = {slash == std::string::npos ? "." : line.script->substr(0, slash + 1)};
+    std::vector<std::string> writes = {"."};
+    reads.insert(reads.end(), line.readFolders.begin(), line.readFolders.end());
+    writes.insert(writes.end(), line.writeFolders.begin(), line.writeFolders.end());
+    return FileAccess(reads, writes);
 }
 
 // 0, or why the file cannot be read. It is not opened: a pipe can be read only once.
@@ -91,35 +107,45 @@ void print(int standardChannel, const std::string& text) {
     Tcl_Flush(channel);
 }
 
-Shell::Shell(const std::string& program) {
+Shell::Shell(const std::string& program, const CommandLine& line) : program(program), line(line), files(filesOf(line)) {
     Tcl_FindExecutable(program.c_str());
     // Scripts are UTF-8 whatever the locale is.
     Tcl_SetSystemEncoding(nullptr, "utf-8");
-    interp = Tcl_CreateInterp();
-    if (Tcl_Init(interp) == TCL_OK) {
-        registerCommands(interp);
-        return;
+    parent = Tcl_CreateInterp();
+    if (Tcl_Init(parent) != TCL_OK) {
+        const std::string reason = stringOf(Tcl_GetObjResult(parent));
+        Tcl_DeleteInterp(parent);
+        throw std::runtime_error(reason);
     }
-    const std::string reason = stringOf(Tcl_GetObjResult(interp));
-    Tcl_DeleteInterp(interp);
-    throw std::runtime_error(reason);
+    interp = line.isSafe ? makeSafeInterp(parent) : parent;
+    if (line.isSafe) confineTcl(files, parent);
+    registerCommands(interp, files, line.limits, line.resumes);
 }
 
 Shell::~Shell() {
-    Tcl_DeleteInterp(interp);
+    Tcl_DeleteInterp(parent);
     // Writes out what scripts have printed.
     Tcl_Finalize();
 }
 
+int Shell::run() {
+    if (line.isStandardInput) return runStandardInput(*line.script, line.words);
+    if (line.script) return runScript(*line.script, line.words);
+    return isatty(STDIN_FILENO) ? runPrompt(program) : runStandardInput(program, {});
+}
+
 int Shell::runScript(const std::string& script, const std::vector<std::string>& words) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::script);
+    const TimeLimit limit(line.limits.seconds);
     if (const int error = readError(script)) return cannotRead("\"" + script + "\"", error);
+    files.toRead(script);
     setArguments(interp, script, words, false);
     return runFile(script, script);
 }
 
 int Shell::runStandardInput(const std::string& argv0, const std::vector<std::string>& words) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::script);
+    const TimeLimit limit(line.limits.seconds);
     std::string text;
     const bool isRead = readStandardInput(text);
     if (interrupted()) return sayInterrupted();
@@ -132,11 +158,14 @@ int Shell::runStandardInput(const std::string& argv0, const std::vector<std::str
         return cannotRead("standard input", errno);
     fcntl(fileno(file.get()), F_SETFD, FD_CLOEXEC);
     setArguments(interp, argv0, words, false);
-    return runFile("-", "/dev/fd/" + std::to_string(fileno(file.get())));
+    const std::string path = "/dev/fd/" + std::to_string(fileno(file.get()));
+    files.letTclRead(path);
+    return runFile("-", path);
 }
 
 int Shell::runPrompt(const std::string& argv0) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::prompt);
+    const TimeLimit limit(line.limits.seconds);
     setArguments(interp, argv0, {}, true);
     return grsh::runPrompt(interp);
 }

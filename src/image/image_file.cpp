@@ -82,25 +82,26 @@ const Format& formatOf(const std::string& path, std::string_view what) {
 
 }  // namespace
 
-ImageFile::ImageFile(const std::string& path, std::span<const Layer> layers) : path_(path) {
-    const Format& format = formatOf(path, "write");
+ImageFile::ImageFile(const FileName& file, std::span<const Layer> layers) : file_(file) {
+    const std::string& name = file.name;
+    const Format& format = formatOf(name, "write");
     if (!layers.empty() && !format.holdsLayers)
-        throw core::Error("FILE", "LAYERS", path,
-                          "cannot write \"" + path + "\": with layers the file's ending must be .exr");
-    target_ = resolve(path);
-    if (isReadOnly(target_)) fail(path, "it is read-only");
+        throw core::Error("FILE", "LAYERS", name,
+                          "cannot write \"" + name + "\": with layers the file's ending must be .exr");
+    target_ = file.open ? fs::path(file.path) : resolve(name);
+    if (isReadOnly(target_)) fail(name, "it is read-only");
     removeAbandonedFiles(target_.parent_path());
     // The one sure way to know whether a file can be made in a folder, for every user and every file system.
-    TemporaryFile probe(target_, path);
+    TemporaryFile probe(target_, name);
 }
 
 template<class Write>
 void ImageFile::writeWith(const Write& write) const {
-    TemporaryFile file(target_, path_);
+    TemporaryFile file(target_, file_.name);
     try {
-        write(formatOf(path_, "write"), file.stream());
+        write(formatOf(file_.name, "write"), file.stream());
     } catch (const core::Error& error) {
-        fail(path_, error.what());
+        fail(file_.name, error.what());
     }
     file.publish();
 }
@@ -113,36 +114,36 @@ void ImageFile::write(const Image& image) const {
     writeWith([&](const Format& format, std::FILE* file) { format.writeImage(file, image); });
 }
 
-void ImageFile::checkIsNot(const std::string& input) const {
+void ImageFile::checkIsNot(const FileName& input) const {
     std::error_code failed;
-    if (fs::equivalent(target_, input, failed))
-        throw core::Error("FILE", "SAME", path_,
-                          "cannot write \"" + path_ + "\": it is the same file as \"" + input + "\"");
+    if (fs::equivalent(target_, input.path, failed))
+        throw core::Error("FILE", "SAME", file_.name,
+                          "cannot write \"" + file_.name + "\": it is the same file as \"" + input.name + "\"");
 }
 
-void ImageFile::checkAgainst(const std::string& input) const {
+void ImageFile::checkAgainst(const FileName& input) const {
     checkIsNot(input);
-    formatOf(input, "read");
-    if (endingOf(path_) != endingOf(input))
-        throw core::Error(
-            "FILE", "ENDING", path_,
-            "cannot write \"" + path_ + "\": its ending must be " + endingOf(input) + ", that of \"" + input + "\"");
+    formatOf(input.name, "read");
+    if (endingOf(file_.name) != endingOf(input.name))
+        throw core::Error("FILE", "ENDING", file_.name,
+                          "cannot write \"" + file_.name + "\": its ending must be " + endingOf(input.name) +
+                              ", that of \"" + input.name + "\"");
 }
 
-Image readImage(const std::string& path) {
+Image readImage(const FileName& from) {
     const auto refuse = [&](const std::string& why) {
-        throw core::Error("FILE", "READ", path, "cannot read \"" + path + "\": " + why);
+        throw core::Error("FILE", "READ", from.name, "cannot read \"" + from.name + "\": " + why);
     };
-    const Format& format = formatOf(path, "read");
+    const Format& format = formatOf(from.name, "read");
     std::error_code failed;
-    const fs::file_status status = fs::status(path, failed);
+    const fs::file_status status = fs::status(from.path, failed);
     if (fs::exists(status) && !fs::is_regular_file(status)) refuse("it is not a file");
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(from.path.c_str(), "rb"), std::fclose);
     if (file == nullptr) refuse(std::strerror(errno));
     try {
         return format.read(file.get());
     } catch (const core::Error& error) {
-        throw core::Error(error.topic, error.reason, path, "cannot read \"" + path + "\": " + error.what());
+        throw core::Error(error.topic, error.reason, from.name, "cannot read \"" + from.name + "\": " + error.what());
     }
 }
 

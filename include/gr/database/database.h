@@ -56,8 +56,9 @@ public:
     // Throws unless a node of that name may be made there.
     void checkNew(std::string_view parent, std::string_view name) const;
     // The polyhedron in a mesh file; see MeshFiles.
-    std::shared_ptr<const Polyhedron> readMesh(const std::string& path, std::string_view name, MeshRepairs& repairs) {
-        return meshFiles_.read(path, name, repairs);
+    std::shared_ptr<const Polyhedron> readMesh(const std::string& path, std::string_view name, MeshRepairs& repairs,
+                                               const core::Folder* below = nullptr) {
+        return meshFiles_.read(path, name, repairs, below);
     }
     std::size_t nodeCount() const { return index_.size() + 1; }
     // Takes time in proportion to the number of nodes.

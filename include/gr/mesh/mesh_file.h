@@ -1,6 +1,7 @@
 // Meshes from files: OBJ, PLY, STL and glTF.
 #pragma once
 
+#include "core/open_below.h"
 #include "gr/mesh/polyhedron.h"
 
 #include <unordered_map>
@@ -16,8 +17,10 @@ void checkAnnounced(std::string_view file, std::string_view ending);
 class MeshFiles {
 public:
     // path: of the file; name: as the script calls it, for messages. Throws core::Error for a file that cannot be read.
-    // repairs: what was mended, where the file is not read for the first time nothing.
-    std::shared_ptr<const Polyhedron> read(const std::string& path, std::string_view name, MeshRepairs& repairs);
+    // repairs: what was mended, where the file is not read for the first time nothing. below: where it lies, and all
+    // that it names; null: anywhere.
+    std::shared_ptr<const Polyhedron> read(const std::string& path, std::string_view name, MeshRepairs& repairs,
+                                           const core::Folder* below = nullptr);
     // Allocated for what is known of the files, without the polyhedra.
     std::size_t bytes() const;
 

@@ -2,6 +2,7 @@
 // anywhere may make it crash, hang or ask for all memory. Only that program suffers then, and grsh starts without it.
 #pragma once
 
+#include "core/open_below.h"
 #include "gr/mesh/polyhedron.h"
 
 namespace gr {
@@ -17,9 +18,11 @@ struct ImportHeader {
     std::uint32_t linesAndPoints = 0;
 };
 inline constexpr int importChannel = 3;
+// Where there is a folder that files must lie below, it is open there.
+inline constexpr int importFolder = 4;
 
 // No two of its vertices are at one place. Throws core::Error whose text is the reason. repairs: counts what is no
-// face.
-FlatMesh importMesh(const std::string& path, MeshRepairs& repairs);
+// face. below: the folder that all files lie below, or null.
+FlatMesh importMesh(const std::string& path, MeshRepairs& repairs, const core::Folder* below = nullptr);
 
 }  // namespace gr

@@ -34,19 +34,25 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
-struct OpenFile {
-    explicit OpenFile(const std::string& path) : descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-        if (descriptor < 0 || fstat(descriptor, &status) != 0) {
-            const int error = errno;
-            if (descriptor >= 0) close(descriptor);
-            fail(std::strerror(error));
-        }
-    }
-    ~OpenFile() { close(descriptor); }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
+std::string reasonOf(int error) {
+    if (error == EXDEV) return "a link leads to another folder";
+    return error == EINVAL ? "it is not a regular file" : std::strerror(error);
+}
 
-    int descriptor;
+core::Descriptor openMesh(const std::string& path, const core::Folder* below) {
+    if (below == nullptr) return core::Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const std::optional<std::string> rest = core::pathBelow(below->path, path);
+    if (rest) return core::openFileBelow(below->descriptor.number(), *rest);
+    errno = EXDEV;
+    return core::Descriptor();
+}
+
+struct OpenFile {
+    OpenFile(const std::string& path, const core::Folder* below) : descriptor(openMesh(path, below)) {
+        if (!descriptor.isOpen() || fstat(descriptor.number(), &status) != 0) fail(reasonOf(errno));
+    }
+
+    core::Descriptor descriptor;
     struct stat status;
 };
 
@@ -55,7 +61,7 @@ void checkContents(const OpenFile& file, std::string_view ending) {
     if (!S_ISREG(file.status.st_mode)) fail("it is not a regular file");
     if (file.status.st_size == 0) fail("it is empty");
     const auto size = static_cast<std::size_t>(file.status.st_size);
-    void* data = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor, 0);
+    void* data = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor.number(), 0);
     if (data == MAP_FAILED) fail(std::strerror(errno));
     const auto unmap = [size](void* mapped) { munmap(mapped, size); };
     const std::unique_ptr<void, decltype(unmap)> mapping(data, unmap);
@@ -67,24 +73,25 @@ std::string withoutLinks(const std::string& path) {
     return real ? real.get() : path;
 }
 
-std::shared_ptr<const Polyhedron> readMesh(const OpenFile& file, const std::string& path, MeshRepairs& repairs) {
+std::shared_ptr<const Polyhedron> readMesh(const OpenFile& file, const std::string& path, MeshRepairs& repairs,
+                                           const core::Folder* below) {
     checkContents(file, endingOf(path));
-    return Polyhedron::make(importMesh(path, repairs), repairs);
+    return Polyhedron::make(importMesh(path, repairs, below), repairs);
 }
 
 }  // namespace
 
-std::shared_ptr<const Polyhedron> MeshFiles::read(const std::string& path, std::string_view name,
-                                                  MeshRepairs& repairs) {
+std::shared_ptr<const Polyhedron> MeshFiles::read(const std::string& path, std::string_view name, MeshRepairs& repairs,
+                                                  const core::Folder* below) {
     try {
         endingOf(path);
-        const OpenFile file(path);
+        const OpenFile file(path, below);
         const auto size = static_cast<std::uintmax_t>(file.status.st_size);
         const std::int64_t changed = file.status.st_mtim.tv_sec * 1000000000 + file.status.st_mtim.tv_nsec;
         Entry& entry = entries_[withoutLinks(path)];
         std::shared_ptr<const Polyhedron> polyhedron = entry.polyhedron.lock();
         if (polyhedron != nullptr && entry.size == size && entry.changed == changed) return polyhedron;
-        polyhedron = readMesh(file, path, repairs);
+        polyhedron = readMesh(file, path, repairs, below);
         entry = {polyhedron, size, changed};
         return polyhedron;
     } catch (const core::Error& error) {

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
@@ -23,21 +24,6 @@ namespace {
 [[noreturn]] void fail(const std::string& reason) {
     throw core::Error("MESH", "FILE", "", reason);
 }
-
-// A file descriptor that is closed at the end.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    void close() {
-        if (number >= 0) ::close(number);
-        number = -1;
-    }
-
-    int number;
-};
 
 // Beside this program.
 std::string importer() {
@@ -56,13 +42,13 @@ std::vector<const char*> environment() {
 // The importer at work on a file.
 class Import {
 public:
-    explicit Import(const std::string& path) : channel_(-1) {
+    Import(const std::string& path, const core::Folder* below) {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0) fail(std::strerror(errno));
-        channel_.number = ends[0];
-        const Descriptor toChild(ends[1]);
+        channel_ = core::Descriptor(ends[0]);
+        const core::Descriptor toChild(ends[1]);
         fcntl(ends[0], F_SETPIPE_SZ, 1 << 20);
-        start(path, ends[1]);
+        start(path, ends[1], below);
     }
     ~Import() {
         if (process_ > 0) kill(process_, SIGKILL);
@@ -76,7 +62,7 @@ public:
     }
     void read(void* to, std::size_t bytes) {
         for (std::size_t done = 0; done < bytes;) {
-            const ssize_t count = ::read(channel_.number, static_cast<char*>(to) + done, bytes - done);
+            const ssize_t count = ::read(channel_.number(), static_cast<char*>(to) + done, bytes - done);
             if (count < 0 && errno == EINTR) continue;
             if (count <= 0) failed();
             done += static_cast<std::size_t>(count);
@@ -84,17 +70,22 @@ public:
     }
 
 private:
-    void start(const std::string& path, int toChild) {
+    void start(const std::string& path, int toChild, const core::Folder* below) {
         const std::string program = importer();
         // What importers need grows with the file: 20 times its size is common, and 10 MB a second.
         const double megabytes = std::ceil(static_cast<double>(std::filesystem::file_size(path)) / 1e6);
         const double most = std::min(1000 + 100 * megabytes, static_cast<double>(core::availableMemory()) / 1e6);
         const std::string memory = std::to_string(std::llround(most)),
                           seconds = std::to_string(std::llround(10 + megabytes));
-        const char* const words[] = {program.c_str(), path.c_str(), memory.c_str(), seconds.c_str(), nullptr};
+        const char* const words[] = {program.c_str(),
+                                     path.c_str(),
+                                     memory.c_str(),
+                                     seconds.c_str(),
+                                     below != nullptr ? below->path.c_str() : nullptr,
+                                     nullptr};
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_adddup2(&actions, toChild, importChannel);
+        addDescriptors(actions, toChild, below);
         for (const int number : {STDOUT_FILENO, STDERR_FILENO})
             posix_spawn_file_actions_addopen(&actions, number, "/dev/null", O_WRONLY, 0);
         const int error = posix_spawn(&process_, program.c_str(), &actions, nullptr, const_cast<char* const*>(words),
@@ -103,6 +94,17 @@ private:
         if (error == 0) return;
         process_ = 0;
         fail("the program \"" + program + "\" cannot be started: " + std::strerror(error));
+    }
+
+    // The folder goes by way of a number that the channel is not at, nor goes to.
+    static void addDescriptors(posix_spawn_file_actions_t& actions, int toChild, const core::Folder* below) {
+        const int folder = below != nullptr ? below->descriptor.number() : -1;
+        const int aside = std::max({toChild, folder, importFolder}) + 1;
+        if (below != nullptr) posix_spawn_file_actions_adddup2(&actions, folder, aside);
+        posix_spawn_file_actions_adddup2(&actions, toChild, importChannel);
+        if (below == nullptr) return;
+        posix_spawn_file_actions_adddup2(&actions, aside, importFolder);
+        posix_spawn_file_actions_addclose(&actions, aside);
     }
 
     // Waits for the importer's end and returns how it ended.
@@ -122,14 +124,14 @@ private:
         fail("the importer crashed on it");
     }
 
-    Descriptor channel_;
+    core::Descriptor channel_;
     pid_t process_ = 0;
 };
 
 }  // namespace
 
-FlatMesh importMesh(const std::string& path, MeshRepairs& repairs) {
-    Import import(path);
+FlatMesh importMesh(const std::string& path, MeshRepairs& repairs, const core::Folder* below) {
+    Import import(path, below);
     ImportHeader header;
     import.read(&header, sizeof header);
     if (header.errorLength > 0) {

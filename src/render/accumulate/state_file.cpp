@@ -220,7 +220,7 @@ void read(std::string_view bytes, const StateWords& words, int most, Accumulatio
 
 }  // namespace
 
-void writeState(const std::string& path, const StateWords& words, const Accumulation& accumulation, int threads) {
+void writeState(const image::FileName& name, const StateWords& words, const Accumulation& accumulation, int threads) {
     const std::vector<Tile>& tiles = accumulation.tiles;
     std::vector<std::string> blocks((tiles.size() + tilesInABlock - 1) / tilesInABlock);
     core::parallelFor(static_cast<int>(blocks.size()), threads, [&](int i) {
@@ -246,16 +246,17 @@ void writeState(const std::string& path, const StateWords& words, const Accumula
     head.bytes = magic;
     head.add(std::uint64_t{checksum(body.bytes)});
 
-    image::TemporaryFile file(path, path);
+    image::TemporaryFile file(name.path, name.name);
     for (const std::string* part : {&head.bytes, &body.bytes})
         std::fwrite(part->data(), 1, part->size(), file.stream());
     file.publish();
 }
 
-bool readState(const std::string& path, const StateWords& words, int most, Accumulation& accumulation) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+bool readState(const image::FileName& name, const StateWords& words, int most, Accumulation& accumulation) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.path.c_str(), "rb"), std::fclose);
     const auto refuse = [&](const core::Error& error) {
-        throw core::Error("STATE", error.reason, path, "cannot resume from \"" + path + "\": " + error.what());
+        throw core::Error("STATE", error.reason, name.name,
+                          "cannot resume from \"" + name.name + "\": " + error.what());
     };
     if (file == nullptr) {
         if (errno == ENOENT) return false;

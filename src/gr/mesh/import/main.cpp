@@ -1,4 +1,5 @@
 // grsh_import: reads a mesh file and writes its faces to gr::importChannel; see include/gr/mesh/mesh_import.h.
+#include "gr/mesh/import/confinement.h"
 #include "gr/mesh/import/read_only_files.h"
 #include "gr/mesh/import/scene_flattener.h"
 #include "gr/mesh/mesh_import.h"
@@ -8,6 +9,8 @@
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -90,13 +93,14 @@ std::string reasonOf(std::string text, const std::string& ending) {
     return text.empty() ? "the importer does not tell why" : text;
 }
 
-void importFile(const std::string& file) {
+// below: the folder that all files lie below, or null.
+void importFile(const std::string& file, const char* below) {
     const std::string ending = endingOf(file);
     const bool isGltf = ending == "gltf" || ending == "glb";
     // Never freed: the process ends first.
     Assimp::Importer& reader = *new Assimp::Importer;
     keepImportersOf(ending, reader);
-    reader.SetIOHandler(new gr::importer::ReadOnlyFiles(file, isGltf));
+    reader.SetIOHandler(new gr::importer::ReadOnlyFiles(file, isGltf, below));
     // No step of assimp's own behind it: they merge, drop, turn or move what is to stay as it is.
     BadIndexStream badIndices;
     if (isGltf) Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0)->attachStream(&badIndices);
@@ -127,10 +131,13 @@ void putError(std::string_view reason) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) return 2;
+    if (argc != 4 && argc != 5) return 2;
+    // Nobody waits for what is read here when grsh has ended.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     limitResources(std::strtoul(argv[2], nullptr, 10), std::strtoul(argv[3], nullptr, 10));
+    if (argc == 5) gr::importer::confineTo(gr::importFolder);
     try {
-        importFile(argv[1]);
+        importFile(argv[1], argv[4]);
     } catch (const std::bad_alloc&) {
         putError("it asks for more memory than a file of its size should");
     } catch (const std::exception& error) {

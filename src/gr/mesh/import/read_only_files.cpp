@@ -1,5 +1,7 @@
 #include "gr/mesh/import/read_only_files.h"
 
+#include "gr/mesh/mesh_import.h"
+
 #include <assimp/IOStream.hpp>
 
 #include <fcntl.h>
@@ -45,27 +47,33 @@ private:
     std::size_t at_ = 0;
 };
 
-bool isRegular(const char* file, std::size_t& size) {
-    struct stat status;
-    if (stat(file, &status) != 0 || !S_ISREG(status.st_mode)) return false;
-    size = static_cast<std::size_t>(status.st_size);
-    return true;
+core::Descriptor openBelow(const char* folder, const char* file) {
+    const std::optional<std::string> rest = core::pathBelow(folder, file);
+    return rest ? core::openFileBelow(gr::importFolder, *rest) : core::Descriptor();
 }
 
 }  // namespace
 
+core::Descriptor ReadOnlyFiles::openRegular(const char* file, std::size_t& size) const {
+    if (!allowOthers_ && file != file_) return core::Descriptor();
+    core::Descriptor opened =
+        below_ != nullptr ? openBelow(below_, file) : core::Descriptor(open(file, O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status;
+    if (!opened.isOpen() || fstat(opened.number(), &status) != 0 || !S_ISREG(status.st_mode)) return core::Descriptor();
+    size = static_cast<std::size_t>(status.st_size);
+    return opened;
+}
+
 bool ReadOnlyFiles::Exists(const char* file) const {
     std::size_t size = 0;
-    return (allowOthers_ || file == file_) && isRegular(file, size);
+    return openRegular(file, size).isOpen();
 }
 
 Assimp::IOStream* ReadOnlyFiles::Open(const char* file, const char*) {
     std::size_t size = 0;
-    if ((!allowOthers_ && file != file_) || !isRegular(file, size)) return nullptr;
-    const int descriptor = open(file, O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return nullptr;
-    void* data = size > 0 ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0) : nullptr;
-    close(descriptor);
+    const core::Descriptor opened = openRegular(file, size);
+    if (!opened.isOpen()) return nullptr;
+    void* data = size > 0 ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, opened.number(), 0) : nullptr;
     return data == MAP_FAILED ? nullptr : new MappedFile(static_cast<const char*>(data), size);
 }
 

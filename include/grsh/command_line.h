@@ -1,0 +1,34 @@
+// grsh's own words: its options, the script and the script's words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grsh/limits.h"
+
+namespace grsh {
+
+struct CommandLine {
+    enum class Asks { run, help, version };
+
+    Asks asks = Asks::run;
+    bool isSafe = false;
+    std::vector<std::string> readFolders, writeFolders;  // beside the script's and the current one
+    Limits limits;
+    bool resumes = false;
+    bool traces = false;
+
+    std::optional<std::string> script;  // none: a prompt, or standard input
+    bool isStandardInput = false;  // the script was given as "-"
+    std::vector<std::string> words;  // the script's own
+};
+
+// words: all behind the program's name. Throws core::Error, whose topic is USAGE.
+CommandLine readCommandLine(const std::vector<std::string>& words);
+
+std::string usageLine();
+// What --help shows.
+std::string helpText();
+
+}  // namespace grsh
