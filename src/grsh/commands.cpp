@@ -18,7 +18,7 @@ struct Binding {
 struct State {
     Session session;
     std::vector<std::unique_ptr<Binding>> bindings;
-    Tcl_Obj* tclUnknown = nullptr;  // where Tcl's own `unknown` has gone
+    Tcl_ObjCmdProc* tclUnknown = nullptr;  // what evaluates Tcl's own procedure `unknown`
 };
 
 constexpr const char* stateKey = "grsh";
@@ -58,35 +58,31 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
     }
 }
 
-// Tcl calls `unknown` for a command that does not exist. One of ours that is misspelt gets a suggestion; the rest is
-// Tcl's business.
-int unknownCommand(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
-    const State& state = *static_cast<const State*>(data);
-    const std::string_view name = objc > 1 ? textOf(objv[1]) : std::string_view{};
-    if (!name.starts_with("gr_")) {
-        std::vector<Tcl_Obj*> words(objv, objv + objc);
-        words[0] = state.tclUnknown;
-        return Tcl_EvalObjv(interp, objc, words.data(), 0);
-    }
+// Tcl calls `unknown` for a command that does not exist. Where all that it knows is that there is none, one of ours
+// that is misspelt gets a suggestion.
+int unknownCommand(ClientData procedure, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+    const State& state = *static_cast<State*>(Tcl_GetAssocData(interp, stateKey, nullptr));
+    const int code = state.tclUnknown(procedure, interp, objc, objv);
+    const std::string name(objc > 1 ? textOf(objv[1]) : std::string_view());
+    const std::string message = "invalid command name \"" + name + "\"";
+    if (code != TCL_ERROR || !name.starts_with("gr_") || textOf(Tcl_GetObjResult(interp)) != message) return code;
     std::vector<std::string_view> names;
     for (const auto& binding : state.bindings) names.push_back(binding->name);
-    const std::string message = "invalid command name \"" + std::string(name) + "\"" + core::didYouMean(name, names);
-    Tcl_SetObjResult(interp, textObject(message));
-    Tcl_SetErrorCode(interp, "TCL", "LOOKUP", "COMMAND", std::string(name).c_str(), nullptr);
-    return TCL_ERROR;
+    Tcl_SetObjResult(interp, textObject(message + core::didYouMean(name, names)));
+    return code;
 }
 
+// It stays Tcl's own procedure, with its body, for every script that looks at it, extends it or brings another.
 void wrapUnknown(Tcl_Interp* interp, State& state) {
-    state.tclUnknown = Tcl_NewStringObj("::tcl::unknown", -1);
-    Tcl_IncrRefCount(state.tclUnknown);
-    if (Tcl_Eval(interp, "rename ::unknown ::tcl::unknown") != TCL_OK) return;
-    Tcl_CreateObjCommand(interp, "::unknown", unknownCommand, &state, nullptr);
+    Tcl_CmdInfo info;
+    if (!Tcl_GetCommandInfo(interp, "::unknown", &info)) return;
+    state.tclUnknown = info.objProc;
+    info.objProc = unknownCommand;
+    Tcl_SetCommandInfo(interp, "::unknown", &info);
 }
 
 void deleteState(ClientData data, Tcl_Interp*) {
-    State* state = static_cast<State*>(data);
-    if (state->tclUnknown != nullptr) Tcl_DecrRefCount(state->tclUnknown);
-    delete state;
+    delete static_cast<State*>(data);
 }
 
 }  // namespace

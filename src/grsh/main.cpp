@@ -24,6 +24,8 @@ standard input where that is no terminal.
 
   -          run standard input as the script
   --         end of the options: the next word is the script whatever it begins with
+  --trace    show Tcl's stack trace after the message of an error
+  -encoding NAME  read the script in that encoding, not in UTF-8
   --help     show this text
   --version  show the version
 
@@ -55,11 +57,32 @@ int answer(const std::vector<std::string>& words) {
     return 0;
 }
 
+struct Options {
+    std::string encoding = "utf-8";
+    bool trace = false;
+};
+
+// The options before a script, taken from the words.
+Options takeOptions(std::vector<std::string>& words) {
+    Options options;
+    while (!words.empty()) {
+        const std::size_t count = words[0] == "--trace" ? 1 : words[0] == "-encoding" && words.size() > 1 ? 2 : 0;
+        if (count == 0) break;
+        if (count == 1) options.trace = true;
+        if (count == 2) options.encoding = words[1];
+        words.erase(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    return options;
+}
+
 int run(const std::string& program, std::vector<std::string> words) {
+    const Options options = takeOptions(words);
     const bool endsOptions = !words.empty() && words[0] == "--";
     if (!words.empty() && !endsOptions && isOption(words[0])) return answer(words);
     if (endsOptions) words.erase(words.begin());
     grsh::Shell shell(program);
+    if (!shell.setEncoding(options.encoding)) return wrongUsage("unknown encoding \"" + options.encoding + "\"");
+    shell.showTrace(options.trace);
     if (words.empty()) return isatty(STDIN_FILENO) ? shell.runPrompt(program) : shell.runStandardInput(program, {});
     const std::string script = words[0];
     words.erase(words.begin());

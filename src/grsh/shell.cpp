@@ -1,20 +1,19 @@
 #include "grsh/shell.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cctype>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 
+#include "grsh/command_text.h"
 #include "grsh/commands.h"
 #include "grsh/error_place.h"
 #include "grsh/interrupt.h"
+#include "grsh/main_loop.h"
+#include "grsh/piped_script.h"
+#include "grsh/place.h"
 #include "grsh/prompt.h"
+#include "grsh/script_input.h"
 #include "grsh/tcl_value.h"
 
 namespace grsh {
@@ -52,35 +51,6 @@ int cannotRead(const std::string& what, int error) {
     return kFailed;
 }
 
-int sayInterrupted() {
-    print(TCL_STDERR, "grsh: interrupted\n");
-    return kInterrupted;
-}
-
-// 0, or why the file cannot be read. It is not opened: a pipe can be read only once.
-int readError(const std::string& path) {
-    struct stat status;
-    if (stat(path.c_str(), &status) != 0) return errno;
-    if (S_ISDIR(status.st_mode)) return EISDIR;
-    return access(path.c_str(), R_OK) != 0 ? errno : 0;
-}
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
-// False where standard input cannot be read, errno telling why.
-bool readStandardInput(std::string& text) {
-    char buffer[65536];
-    while (true) {
-        const ssize_t count = read(STDIN_FILENO, buffer, sizeof buffer);
-        if (count > 0) text.append(buffer, static_cast<std::size_t>(count));
-        if (count == 0) return true;
-        if (count < 0 && (errno != EINTR || interrupted())) return false;
-    }
-}
-
 }  // namespace
 
 void print(int standardChannel, const std::string& text) {
@@ -90,6 +60,11 @@ void print(int standardChannel, const std::string& text) {
     if (!channel) return;
     Tcl_WriteChars(channel, text.data(), static_cast<int>(text.size()));
     Tcl_Flush(channel);
+}
+
+int sayInterrupted() {
+    print(TCL_STDERR, "grsh: interrupted\n");
+    return kInterrupted;
 }
 
 Shell::Shell(const std::string& program) {
@@ -112,28 +87,45 @@ Shell::~Shell() {
     Tcl_Finalize();
 }
 
+bool Shell::setEncoding(const std::string& name) {
+    const Tcl_Encoding found = Tcl_GetEncoding(nullptr, name.c_str());
+    if (!found) return false;
+    Tcl_FreeEncoding(found);
+    encoding = name;
+    return true;
+}
+
 int Shell::runScript(const std::string& script, const std::vector<std::string>& words) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::script);
     if (const int error = readError(script)) return cannotRead("\"" + script + "\"", error);
     setArguments(interp, script, words, false);
-    return runFile(script, script);
+    const std::string path = stringOf(argumentValue(script).get());
+    setMainScript(interp, path, path);
+    if (isRegularFile(script)) return finish(Tcl_FSEvalFileEx(interp, argumentValue(script).get(), encoding.c_str()));
+    std::string text;
+    if (!readAll(path, encoding, text)) return cannotRead("\"" + script + "\"", errno);
+    PipedScript piped(normalized(path), path);
+    return finish(evaluate(piped, text));
 }
 
 int Shell::runStandardInput(const std::string& argv0, const std::vector<std::string>& words) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::script);
-    std::string text;
-    const bool isRead = readStandardInput(text);
-    if (interrupted()) return sayInterrupted();
-    if (!isRead) return cannotRead("standard input", errno);
-    // Tcl knows the lines of files only, so the text becomes one, whose name scripts are not to see.
-    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    text.insert(0, "info script -;");
-    const File file(std::tmpfile());
-    if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() || std::fflush(file.get()) != 0)
-        return cannotRead("standard input", errno);
-    fcntl(fileno(file.get()), F_SETFD, FD_CLOEXEC);
     setArguments(interp, argv0, words, false);
-    return runFile("-", "/dev/fd/" + std::to_string(fileno(file.get())));
+    setMainScript(interp, "-", standardInputPath);
+    if (const Tcl_Channel input = Tcl_GetStdChannel(TCL_STDIN))
+        Tcl_SetChannelOption(nullptr, input, "-encoding", encoding.c_str());
+    PipedScript piped(standardInputPath, "-");
+    CommandText command;
+    int code = TCL_OK;
+    bool isMore = true;
+    while (code == TCL_OK && isMore && !interrupted()) {
+        isMore = readLine(command);
+        // What is still open at the end is an error, which Tcl tells.
+        if (isMore ? !command.isComplete() : command.text().empty()) continue;
+        code = evaluate(piped, command.text());
+        command.clear();
+    }
+    return finish(code);
 }
 
 int Shell::runPrompt(const std::string& argv0) {
@@ -143,16 +135,27 @@ int Shell::runPrompt(const std::string& argv0) {
     return 0;
 }
 
-int Shell::runFile(const std::string& typed, const std::string& path) {
-    setMainScript(interp, typed, path);
-    const int code = Tcl_FSEvalFileEx(interp, argumentValue(path).get(), "utf-8");
+int Shell::evaluate(PipedScript& script, const std::string& text) {
+    return Tcl_FSEvalFileEx(interp, textValue(script.add(text)).get(), "utf-8");
+}
+
+int Shell::finish(int code) {
     if (interrupted()) return sayInterrupted();
-    if (code == TCL_OK) return 0;
+    if (code != TCL_OK) return fail();
+    runMainLoop(interp);
+    return 0;
+}
+
+int Shell::fail() {
     const std::string message = stringOf(Tcl_GetObjResult(interp));
+    const Value options = hold(Tcl_GetReturnOptions(interp, TCL_ERROR));
     std::string where = errorPlace(interp);
     // A script may return an error with a trace of its own making.
-    if (where.empty()) where = typed + ":" + std::to_string(Tcl_GetErrorLine(interp));
+    if (where.empty()) where = mainScript(interp)->typed + ":" + std::to_string(Tcl_GetErrorLine(interp));
     print(TCL_STDERR, where + ": " + message + "\n");
+    Tcl_Obj* trace = nullptr;
+    if (showsTrace) Tcl_DictObjGet(nullptr, options.get(), textValue("-errorinfo").get(), &trace);
+    if (trace) print(TCL_STDERR, withoutPieces(stringOf(trace)) + "\n");
     return kFailed;
 }
 

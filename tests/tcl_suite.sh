@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# tests/tcl_suite.sh FOLDER [FILE...]: runs Tcl's own tests, those of FOLDER/tests, with tclsh8.6 and with grsh, test by
+# test. It fails where they differ and tests/tcl_suite_differences.txt does not say why. FOLDER is the source of the Tcl
+# that grsh is linked with, e.g. of "apt-get source tcl8.6". GRSH names another grsh than the checkout's.
+set -euo pipefail
+here=$(readlink -f "$0")
+here=${here%/*}
+(($#)) || { echo "usage: tests/tcl_suite.sh FOLDER [FILE...]" >&2; exit 2; }
+suite=$(readlink -f "$1")/tests
+shift
+grsh=$(readlink -f "${GRSH:-${here%/*}/grsh}")
+[[ -e $suite/all.tcl ]] || { echo "no Tcl tests in $suite" >&2; exit 2; }
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+
+# Test names with what became of them, one a line. A file that does not come to its end is a result, too.
+run_file() {
+    local program=$1 file=$2 folder=$3 code=0
+    mkdir -p "$folder/tmp" "$folder/home"
+    (cd "$folder/home" && HOME=$PWD timeout 600 "$program" "$suite/$file" -verbose ps -tmpdir "$folder/tmp" \
+        </dev/null >"$folder/out" 2>&1) || code=$?
+    grep -aoE '^(\+\+\+\+ \S+ (PASSED|SKIPPED)|==== \S+ .*FAILED$)' "$folder/out" |
+        sed -E 's/^(\+\+\+\+|====) (\S+) .*(FAILED)$/\2 \3/; s/^\+\+\+\+ //' || true
+    ((code < 2)) || echo "$file ENDED $code"
+}
+
+results() {
+    local program=$1 name=$2 file
+    shift 2
+    for file; do run_file "$program" "$file" "$work/$name/$file"; done | sort -u >"$work/$name.txt"
+}
+
+cd "$suite"
+files=("$@")
+((${#files[@]})) || files=(*.test)
+cd "$work"
+results "$(command -v tclsh8.6)" tclsh "${files[@]}" &
+results "$grsh" grsh "${files[@]}"
+wait
+
+if [[ -n ${KEEP:-} ]]; then cp -r "$work"/*.txt "$work"/tclsh "$work"/grsh "$KEEP"; fi
+sed -E '/^#|^$/d; s/ .*//' "$here/tcl_suite_differences.txt" >known.txt
+diff tclsh.txt grsh.txt | sed -nE 's/^</tclsh8.6:/p; s/^>/grsh:    /p' |
+    awk 'FILENAME == "known.txt" {known[$1]; next} !($2 in known)' known.txt - | sort -k2 >different.txt || true
+echo "$(wc -l <tclsh.txt) results of tclsh8.6, $(wc -l <grsh.txt) of grsh, $(wc -l <known.txt) known to differ"
+[[ -s tclsh.txt ]] || { echo "tclsh8.6 has run none of them"; exit 1; }
+if [[ -s different.txt ]]; then cat different.txt; exit 1; fi
