@@ -1,5 +1,6 @@
 #include "grsh/script_input.h"
 
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -37,7 +38,13 @@ bool readAll(const std::string& path, const std::string& encoding, std::string& 
 bool readLine(CommandText& command) {
     const Tcl_Channel input = Tcl_GetStdChannel(TCL_STDIN);
     const Value line = hold(Tcl_NewObj());
-    if (!input || Tcl_GetsObj(input, line.get()) < 0) return false;
+    if (!input) return false;
+    while (Tcl_GetsObj(input, line.get()) < 0) {
+        if (!Tcl_InputBlocked(input)) return false;
+        // A script may have made it non-blocking for itself.
+        pollfd keyboard = {STDIN_FILENO, POLLIN, 0};
+        poll(&keyboard, 1, -1);
+    }
     command.addLine(stringOf(line.get()) + "\n");
     return true;
 }
