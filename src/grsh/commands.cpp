@@ -1,7 +1,9 @@
 #include "grsh/commands.h"
 #include "grsh/error_place.h"
+#include "grsh/last_resort.h"
 
 #include <new>
+#include <system_error>
 
 namespace grsh {
 namespace {
@@ -39,6 +41,7 @@ int failed(Tcl_Interp* interp, std::string_view command, const core::Error& erro
 
 // The one place where errors of ours become Tcl's; no exception leaves it.
 int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+    takeReserve();
     const Binding& binding = *static_cast<const Binding*>(data);
     const std::size_t words = static_cast<std::size_t>(objc) - 1;
     if (words < binding.command->leastWords || words > binding.command->mostWords) return wrongWords(interp, binding);
@@ -52,7 +55,10 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
     } catch (const core::Error& error) {
         return failed(interp, binding.name, error);
     } catch (const std::bad_alloc&) {
+        releaseReserve();
         return failed(interp, binding.name, core::Error("MEMORY", "NONE", "", "out of memory"));
+    } catch (const std::system_error& error) {
+        return failed(interp, binding.name, core::Error("SYSTEM", "FAILED", "", error.what()));
     } catch (const std::exception& error) {
         return failed(interp, binding.name, core::Error("INTERNAL", "EXCEPTION", "", error.what()));
     }
@@ -60,7 +66,7 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
 
 // Tcl calls `unknown` for a command that does not exist. Where all that it knows is that there is none, one of ours
 // that is misspelt gets a suggestion.
-int unknownCommand(ClientData procedure, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+int unknownCommand(ClientData procedure, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) noexcept {
     const State& state = *static_cast<State*>(Tcl_GetAssocData(interp, stateKey, nullptr));
     const int code = state.tclUnknown(procedure, interp, objc, objv);
     const std::string name(objc > 1 ? textOf(objv[1]) : std::string_view());

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/error.h"
+#include "grsh/last_resort.h"
 #include "grsh/shell.h"
 
 namespace {
@@ -93,8 +95,13 @@ int run(const std::string& program, std::vector<std::string> words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    grsh::installLastResort();
     try {
         return run(argv[0], {argv + 1, argv + argc});
+    } catch (const std::bad_alloc&) {
+        grsh::releaseReserve();
+        std::fputs("grsh: out of memory\n", stderr);
+        return kFailed;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "grsh: %s\n", error.what());
         return kFailed;

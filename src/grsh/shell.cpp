@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 #include "grsh/command_text.h"
@@ -61,6 +62,19 @@ void print(int standardChannel, const std::string& text) {
     Tcl_WriteChars(channel, text.data(), static_cast<int>(text.size()));
     Tcl_Flush(channel);
 }
+
+namespace {
+
+// Empty where there is not even memory to look for it.
+std::string placeOfError(Tcl_Interp* interp) {
+    try {
+        return errorPlace(interp);
+    } catch (const std::bad_alloc&) {
+        return "";
+    }
+}
+
+}  // namespace
 
 int sayInterrupted() {
     print(TCL_STDERR, "grsh: interrupted\n");
@@ -149,7 +163,7 @@ int Shell::finish(int code) {
 int Shell::fail() {
     const std::string message = stringOf(Tcl_GetObjResult(interp));
     const Value options = hold(Tcl_GetReturnOptions(interp, TCL_ERROR));
-    std::string where = errorPlace(interp);
+    std::string where = placeOfError(interp);
     // A script may return an error with a trace of its own making.
     if (where.empty()) where = mainScript(interp)->typed + ":" + std::to_string(Tcl_GetErrorLine(interp));
     print(TCL_STDERR, where + ": " + message + "\n");
