@@ -109,6 +109,7 @@ WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const Bounds
 
     Builder builder{makeLeaf, unit};
     bvh_ = embree().rtcNewBVH(device.get());
+    if (bvh_ == nullptr) throw std::bad_alloc();
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
     arguments.maxBranchingFactor = treeWidth;
