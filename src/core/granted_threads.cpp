@@ -3,9 +3,6 @@
 #include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -52,22 +49,19 @@ int startableThreads(int threads) {
 }
 
 // Has TBB start its threads now: later there may be no room for them.
-void startThreads(int threads) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+void startThreads(int threads, RunTasks run) {
     std::atomic<int> arrived = 0;
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-    const auto waitForAll = [&](int) {
+    run(threads, threads, [&](int) {
         ++arrived;
         while (arrived < threads && std::chrono::steady_clock::now() < until) std::this_thread::yield();
-    };
-    tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(0, threads, waitForAll, tbb::simple_partitioner{}); });
+    });
 }
 
 }  // namespace
 
 // Where the system granted fewer than were asked for it is not asked for as many again.
-int grantedThreads(int threads) {
+int grantedThreads(int threads, RunTasks run) {
     static std::mutex mutex;
     static int known = 1, most = std::numeric_limits<int>::max();
     const std::lock_guard lock(mutex);
@@ -77,7 +71,7 @@ int grantedThreads(int threads) {
         // Half of what there is room for: something is to be done there, too.
         if (started < threads - 1) most = std::max(1, started / 2);
         known = std::max(known, std::min(threads, most));
-        if (known > 1) startThreads(known);
+        if (known > 1) startThreads(known, run);
     }
     return std::min(threads, known);
 }
