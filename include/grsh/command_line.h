@@ -18,6 +18,7 @@ struct CommandLine {
     Limits limits;
     bool resumes = false;
     bool traces = false;
+    std::string encoding = "utf-8";  // of the script
 
     std::optional<std::string> script;  // none: a prompt, or standard input
     bool isStandardInput = false;  // the script was given as "-"

@@ -12,8 +12,13 @@
 
 namespace grsh {
 
+class PipedScript;
+
 // Writes to TCL_STDOUT or TCL_STDERR at once.
 void print(int standardChannel, const std::string& text);
+
+// Returns the exit code for it.
+int sayInterrupted();
 
 class Shell {
 public:
@@ -31,7 +36,10 @@ private:
     int runScript(const std::string& script, const std::vector<std::string>& words);
     int runStandardInput(const std::string& argv0, const std::vector<std::string>& words);
     int runPrompt(const std::string& argv0);
-    int runFile(const std::string& typed, const std::string& path);
+    int evaluate(PipedScript& script, const std::string& text);
+    // The exit code after an evaluation that ended with a code of Tcl's.
+    int finish(int code);
+    int fail();
 
     std::string program;
     CommandLine line;

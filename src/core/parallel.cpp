@@ -1,5 +1,7 @@
 #include "core/parallel.h"
 
+#include "core/granted_threads.h"
+
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -40,13 +42,7 @@ private:
 #endif
 };
 
-}  // namespace
-
-int threadCount(int threads) {
-    return threads > 0 ? threads : tbb::this_task_arena::max_concurrency();
-}
-
-void parallelFor(int count, int threads, const std::function<void(int)>& task) {
+void runTasks(int count, int threads, const std::function<void(int)>& task) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);
     // The body is written before the fork, for the tasks read it.
@@ -58,6 +54,16 @@ void parallelFor(int count, int threads, const std::function<void(int)>& task) {
     ForkJoin::fork();
     arena.execute([&] { tbb::parallel_for(0, count, body, tbb::simple_partitioner{}); });
     ForkJoin::join();
+}
+
+}  // namespace
+
+int threadCount(int threads) {
+    return grantedThreads(threads > 0 ? threads : tbb::this_task_arena::max_concurrency(), runTasks);
+}
+
+void parallelFor(int count, int threads, const std::function<void(int)>& task) {
+    runTasks(count, grantedThreads(threads, runTasks), task);
 }
 
 }  // namespace core

@@ -56,7 +56,7 @@ std::uint64_t bytes(std::string_view option, const std::string& text) {
     return value << (10 * power);
 }
 
-constexpr std::array<Row, 11> rows{{
+constexpr std::array<Row, 12> rows{{
     {"--safe", "",
      "run a script that is not trusted: it reads only below its own folder, writes only pictures below\n"
      "the current one, and starts no program",
@@ -81,6 +81,8 @@ constexpr std::array<Row, 11> rows{{
      [](CommandLine& line, const std::string&) { line.resumes = true; }},
     {"--trace", "", "show with an error which calls led to it",
      [](CommandLine& line, const std::string&) { line.traces = true; }},
+    {"-encoding", "NAME", "read the script in that encoding, not in UTF-8",
+     [](CommandLine& line, const std::string& name) { line.encoding = name; }},
     {"--help", "", "show this text",
      [](CommandLine& line, const std::string&) { line.asks = CommandLine::Asks::help; }},
     {"--version", "", "show the version",
@@ -159,7 +161,7 @@ standard input where that is no terminal.
         add("  " + std::string(row.name) + (row.argument.empty() ? "" : " " + std::string(row.argument)), row.help);
     return text + R"(
 The script finds its further words in argv. An error is shown as "file:line: message" and exits 1, wrong usage
-exits 2, Ctrl-C exits 130. What --safe keeps from a script is told in docs/safe-mode.md.
+exits 2, a signal n exits 128 + n, so Ctrl-C 130. What --safe keeps from a script is told in docs/safe-mode.md.
 
   grsh scenes/hello.gr           renders the smallest scene
   echo 'puts [gr_help]' | grsh -    lists the commands; 'puts [gr_help gr_render]' explains one

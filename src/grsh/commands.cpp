@@ -1,7 +1,9 @@
 #include "grsh/commands.h"
 #include "grsh/error_place.h"
+#include "grsh/last_resort.h"
 
 #include <new>
+#include <system_error>
 
 namespace grsh {
 namespace {
@@ -18,7 +20,7 @@ struct Binding {
 struct State {
     Session session;
     std::vector<std::unique_ptr<Binding>> bindings;
-    Tcl_Obj* tclUnknown = nullptr;  // where Tcl's own `unknown` has gone
+    Tcl_ObjCmdProc* tclUnknown = nullptr;  // what evaluates Tcl's own procedure `unknown`
 };
 
 constexpr const char* stateKey = "grsh";
@@ -39,6 +41,7 @@ int failed(Tcl_Interp* interp, std::string_view command, const core::Error& erro
 
 // The one place where errors of ours become Tcl's; no exception leaves it.
 int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+    takeReserve();
     const Binding& binding = *static_cast<const Binding*>(data);
     const std::size_t words = static_cast<std::size_t>(objc) - 1;
     if (words < binding.command->leastWords || words > binding.command->mostWords) return wrongWords(interp, binding);
@@ -54,47 +57,59 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
     } catch (const core::Error& error) {
         return failed(interp, binding.name, error);
     } catch (const std::bad_alloc&) {
+        releaseReserve();
         return failed(interp, binding.name, core::Error("MEMORY", "NONE", "", "out of memory"));
+    } catch (const std::system_error& error) {
+        return failed(interp, binding.name, core::Error("SYSTEM", "FAILED", "", error.what()));
     } catch (const std::exception& error) {
         return failed(interp, binding.name, core::Error("INTERNAL", "EXCEPTION", "", error.what()));
     }
 }
 
-// Tcl calls `unknown` for a command that does not exist. One of ours that is misspelt gets a suggestion; the rest is
-// Tcl's business.
-int unknownCommand(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
-    const State& state = *static_cast<const State*>(data);
-    const std::string_view name = objc > 1 ? textOf(objv[1]) : std::string_view{};
-    const bool isOurs = name.starts_with("gr_");
-    if (!isOurs && state.tclUnknown != nullptr) {
-        std::vector<Tcl_Obj*> words(objv, objv + objc);
-        words[0] = state.tclUnknown;
-        return Tcl_EvalObjv(interp, objc, words.data(), 0);
-    }
+// One of ours that is misspelt gets a suggestion.
+void suggest(Tcl_Interp* interp, const State& state, const std::string& name) {
     std::vector<std::string_view> names;
     for (const auto& binding : state.bindings)
         if (binding->name.starts_with("gr_")) names.push_back(binding->name);
-    const std::string message =
-        "invalid command name \"" + std::string(name) + "\"" + (isOurs ? core::didYouMean(name, names) : "");
+    const bool isOurs = name.starts_with("gr_");
+    const std::string message = "invalid command name \"" + name + "\"" + (isOurs ? core::didYouMean(name, names) : "");
     Tcl_SetObjResult(interp, textObject(message));
-    Tcl_SetErrorCode(interp, "TCL", "LOOKUP", "COMMAND", std::string(name).c_str(), nullptr);
-    return TCL_ERROR;
+}
+
+// Tcl calls `unknown` for a command that does not exist; this where all that it knows is that there is none.
+int unknownCommand(ClientData procedure, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) noexcept {
+    const State& state = *static_cast<State*>(Tcl_GetAssocData(interp, stateKey, nullptr));
+    const int code = state.tclUnknown(procedure, interp, objc, objv);
+    const std::string name(objc > 1 ? textOf(objv[1]) : std::string_view());
+    const std::string message = "invalid command name \"" + name + "\"";
+    if (code == TCL_ERROR && name.starts_with("gr_") && textOf(Tcl_GetObjResult(interp)) == message)
+        suggest(interp, state, name);
+    return code;
 }
 
 // A safe interpreter has no `unknown` of Tcl's.
+int safeUnknown(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+    const std::string name(objc > 1 ? textOf(objv[1]) : std::string_view());
+    suggest(interp, *static_cast<const State*>(data), name);
+    Tcl_SetErrorCode(interp, "TCL", "LOOKUP", "COMMAND", name.c_str(), nullptr);
+    return TCL_ERROR;
+}
+
+// It stays Tcl's own procedure, with its body, for every script that looks at it, extends it or brings another.
 void wrapUnknown(Tcl_Interp* interp, State& state) {
-    if (!Tcl_IsSafe(interp)) {
-        state.tclUnknown = Tcl_NewStringObj("::tcl::unknown", -1);
-        Tcl_IncrRefCount(state.tclUnknown);
-        if (Tcl_Eval(interp, "rename ::unknown ::tcl::unknown") != TCL_OK) return;
+    if (Tcl_IsSafe(interp)) {
+        Tcl_CreateObjCommand(interp, "::unknown", safeUnknown, &state, nullptr);
+        return;
     }
-    Tcl_CreateObjCommand(interp, "::unknown", unknownCommand, &state, nullptr);
+    Tcl_CmdInfo info;
+    if (!Tcl_GetCommandInfo(interp, "::unknown", &info)) return;
+    state.tclUnknown = info.objProc;
+    info.objProc = unknownCommand;
+    Tcl_SetCommandInfo(interp, "::unknown", &info);
 }
 
 void deleteState(ClientData data, Tcl_Interp*) {
-    State* state = static_cast<State*>(data);
-    if (state->tclUnknown != nullptr) Tcl_DecrRefCount(state->tclUnknown);
-    delete state;
+    delete static_cast<State*>(data);
 }
 
 }  // namespace

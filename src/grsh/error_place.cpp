@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grsh/error_info.h"
+#include "grsh/piped_script.h"
 #include "grsh/place.h"
 #include "grsh/script_text.h"
 
@@ -57,7 +58,7 @@ public:
     void enter(const ErrorLevel& level) {
         const ErrorUnit unit = level.units.empty() ? ErrorUnit{} : level.units.back();
         if (unit.name.starts_with("file "))
-            enterFile(level, fileOf(unit));
+            enterFile(level, inWhole({fileOf(unit), unit.line}));
         else if (const std::optional<Place> body = bodyOf(unit, level.command))
             enterBody(level, *body);
         else
@@ -88,12 +89,13 @@ private:
 
     // Most often the command is on the line that Tcl has. Not so when "try", which the trace leaves out, or "catch" and
     // "return" at a file's top level passed the error on: the line is then the one in their word.
-    void enterFile(const ErrorLevel& level, const std::string& path) {
+    void enterFile(const ErrorLevel& level, const Place& place) {
+        const std::string& path = place.path;
         if (path.empty() || isLibrary(interp, path)) return;
-        innermost = {path, level.units.back().line};
+        innermost = place;
         const ScriptText* text = script(path);
         if (!text) return;
-        const std::size_t begin = text->startOf(level.units.back().line);
+        const std::size_t begin = text->startOf(place.line);
         const bool isPassedOn = level.units.size() > 1;
         std::optional<CommandSpan> span;
         if (!isPassedOn) span = commandOnLine(*text, begin, 1, level);
@@ -141,7 +143,7 @@ private:
         const Value answer = ask(interp, {"apply", kFindBody, unit.name, std::to_string(unit.line), command});
         const std::vector<std::string> words = answer ? listWords(stringOf(answer.get())) : std::vector<std::string>();
         if (words.size() != 2) return std::nullopt;
-        return Place{normalized(words[0]), std::atoi(words[1].c_str())};
+        return inWhole({normalized(words[0]), std::atoi(words[1].c_str())});
     }
 
     Tcl_Interp* interp;

@@ -90,8 +90,13 @@ void waitForInterrupts(Tcl_AsyncHandler mark, InterruptHandler::Runs runs) {
         while (sem_wait(&wake) != 0 && errno == EINTR) {
         }
         if (isEnding) return;
-        Tcl_AsyncMark(mark);
-        if (runs == InterruptHandler::Runs::script || firstSignal != SIGINT) endScriptThatWaits();
+        // Again and again until all evaluation has ended: what ends in a trace goes on behind it.
+        do {
+            isActedUpon = false;
+            Tcl_AsyncMark(mark);
+            if (runs == InterruptHandler::Runs::script || firstSignal != SIGINT) endScriptThatWaits();
+            std::this_thread::sleep_for(kGrace / 30);
+        } while (isInterrupted && !isEnding);
     }
 }
 
@@ -130,7 +135,11 @@ InterruptScope::InterruptScope(Tcl_Interp* interp) : interp(interp) {
 }
 
 InterruptScope::~InterruptScope() {
-    if (isInterrupted) endEvaluation(interp);
+    if (isInterrupted) {
+        endEvaluation(interp);
+        // At once: a trace that runs next would take the end for its own, and Tcl forget it behind that.
+        Tcl_AsyncInvoke(interp, TCL_OK);
+    }
     --scopes;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "grsh/error_place.h"
+#include "grsh/piped_script.h"
 
 namespace grsh {
 namespace {
@@ -76,7 +77,7 @@ Place placeOf(Tcl_Interp* interp) {
         if (!frame) return {};
         const std::string path = entry(frame.get(), "file");
         if (path.empty() || isLibrary(interp, path)) continue;
-        return {path, std::atoi(entry(frame.get(), "line").c_str())};
+        return inWhole({path, std::atoi(entry(frame.get(), "line").c_str())});
     }
     return {};
 }

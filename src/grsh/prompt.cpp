@@ -7,6 +7,7 @@
 
 #include "grsh/error_place.h"
 #include "grsh/interrupt.h"
+#include "grsh/prompt_input.h"
 #include "grsh/shell.h"
 #include "grsh/tcl_value.h"
 
@@ -53,13 +54,16 @@ void evaluate(Tcl_Interp* interp, const std::string& command) {
         if (!result.empty()) print(TCL_STDOUT, result + "\n");
         return;
     }
-    const std::string where = interrupted() ? "" : errorPlace(interp);
+    // A command that was waiting may tell in its own way that it was not to go on.
+    if (interrupted()) return print(TCL_STDERR, "interrupted\n");
+    const std::string where = errorPlace(interp);
     print(TCL_STDERR, (where.empty() ? "" : where + ": ") + result + "\n");
 }
 
 }  // namespace
 
 int runPrompt(Tcl_Interp* interp) {
+    makeInterruptible(interp);
     std::string command;
     while (true) {
         if (endsThePrompt()) return ending().code;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "grsh/error_info.h"
+#include "grsh/piped_script.h"
+#include "grsh/script_input.h"
 
 namespace grsh {
 namespace {
@@ -78,6 +80,9 @@ ScriptText joinLines(std::string_view raw) {
 }
 
 std::optional<ScriptText> readScript(const std::string& path) {
+    if (const auto piped = pipedText(path)) return joinLines(*piped);
+    // A pipe that was read is empty, or waits for ever.
+    if (!isRegularFile(path)) return std::nullopt;
     const Tcl_Channel channel = Tcl_OpenFileChannel(nullptr, path.c_str(), "r", 0);
     if (!channel) return std::nullopt;
     Tcl_SetChannelOption(nullptr, channel, "-eofchar", "\032");

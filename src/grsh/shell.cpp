@@ -1,22 +1,24 @@
 #include "grsh/shell.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cctype>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
+#include <new>
 #include <stdexcept>
 
+#include "grsh/command_text.h"
 #include "grsh/commands.h"
 #include "grsh/error_place.h"
 #include "grsh/interrupt.h"
+#include "grsh/main_loop.h"
+#include "grsh/piped_script.h"
+#include "grsh/place.h"
 #include "grsh/prompt.h"
 #include "grsh/safe_files.h"
 #include "grsh/safe_interp.h"
+#include "grsh/script_input.h"
 #include "grsh/tcl_value.h"
 #include "grsh/time_limit.h"
 #include "image/image_file.h"
@@ -55,11 +57,6 @@ int cannotRead(const std::string& what, int error) {
     return kFailed;
 }
 
-int sayInterrupted() {
-    print(TCL_STDERR, ending().message);
-    return ending().code;
-}
-
 // The script's folder and the current one, and those that the line adds.
 FileAccess filesOf(const CommandLine& line) {
     if (!line.isSafe) return {};
@@ -70,30 +67,6 @@ FileAccess filesOf(const CommandLine& line) {
     reads.insert(reads.end(), line.readFolders.begin(), line.readFolders.end());
     writes.insert(writes.end(), line.writeFolders.begin(), line.writeFolders.end());
     return FileAccess(reads, writes);
-}
-
-// 0, or why the file cannot be read. It is not opened: a pipe can be read only once.
-int readError(const std::string& path) {
-    struct stat status;
-    if (stat(path.c_str(), &status) != 0) return errno;
-    if (S_ISDIR(status.st_mode)) return EISDIR;
-    return access(path.c_str(), R_OK) != 0 ? errno : 0;
-}
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
-// False where standard input cannot be read, errno telling why.
-bool readStandardInput(std::string& text) {
-    char buffer[65536];
-    while (true) {
-        const ssize_t count = read(STDIN_FILENO, buffer, sizeof buffer);
-        if (count > 0) text.append(buffer, static_cast<std::size_t>(count));
-        if (count == 0) return true;
-        if (count < 0 && (errno != EINTR || interrupted())) return false;
-    }
 }
 
 }  // namespace
@@ -107,6 +80,24 @@ void print(int standardChannel, const std::string& text) {
     Tcl_Flush(channel);
 }
 
+namespace {
+
+// Empty where there is not even memory to look for it.
+std::string placeOfError(Tcl_Interp* interp) {
+    try {
+        return errorPlace(interp);
+    } catch (const std::bad_alloc&) {
+        return "";
+    }
+}
+
+}  // namespace
+
+int sayInterrupted() {
+    print(TCL_STDERR, ending().message);
+    return ending().code;
+}
+
 Shell::Shell(const std::string& program, const CommandLine& line) : program(program), line(line), files(filesOf(line)) {
     Tcl_FindExecutable(program.c_str());
     // Scripts are UTF-8 whatever the locale is.
@@ -117,6 +108,10 @@ Shell::Shell(const std::string& program, const CommandLine& line) : program(prog
         Tcl_DeleteInterp(parent);
         throw std::runtime_error(reason);
     }
+    if (const Tcl_Encoding found = Tcl_GetEncoding(nullptr, line.encoding.c_str()))
+        Tcl_FreeEncoding(found);
+    else
+        throw core::Error("USAGE", "ENCODING", line.encoding, "unknown encoding \"" + line.encoding + "\"");
     interp = line.isSafe ? makeSafeInterp(parent) : parent;
     if (line.isSafe) confineTcl(files, parent);
     registerCommands(interp, files, line.limits, line.resumes);
@@ -140,27 +135,35 @@ int Shell::runScript(const std::string& script, const std::vector<std::string>& 
     if (const int error = readError(script)) return cannotRead("\"" + script + "\"", error);
     files.toRead(script);
     setArguments(interp, script, words, false);
-    return runFile(script, script);
+    const std::string path = stringOf(argumentValue(script).get());
+    setMainScript(interp, path, path);
+    if (isRegularFile(script))
+        return finish(Tcl_FSEvalFileEx(interp, argumentValue(script).get(), line.encoding.c_str()));
+    std::string text;
+    if (!readAll(path, line.encoding, text)) return cannotRead("\"" + script + "\"", errno);
+    PipedScript piped(normalized(path), path);
+    return finish(evaluate(piped, text));
 }
 
 int Shell::runStandardInput(const std::string& argv0, const std::vector<std::string>& words) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::script);
     const TimeLimit limit(line.limits.seconds);
-    std::string text;
-    const bool isRead = readStandardInput(text);
-    if (interrupted()) return sayInterrupted();
-    if (!isRead) return cannotRead("standard input", errno);
-    // Tcl knows the lines of files only, so the text becomes one, whose name scripts are not to see.
-    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    text.insert(0, "info script -;");
-    const File file(std::tmpfile());
-    if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() || std::fflush(file.get()) != 0)
-        return cannotRead("standard input", errno);
-    fcntl(fileno(file.get()), F_SETFD, FD_CLOEXEC);
     setArguments(interp, argv0, words, false);
-    const std::string path = "/dev/fd/" + std::to_string(fileno(file.get()));
-    files.letTclRead(path);
-    return runFile("-", path);
+    setMainScript(interp, "-", standardInputPath);
+    if (const Tcl_Channel input = Tcl_GetStdChannel(TCL_STDIN))
+        Tcl_SetChannelOption(nullptr, input, "-encoding", line.encoding.c_str());
+    PipedScript piped(standardInputPath, "-");
+    CommandText command;
+    int code = TCL_OK;
+    bool isMore = true;
+    while (code == TCL_OK && isMore && !interrupted()) {
+        isMore = readLine(command);
+        // What is still open at the end is an error, which Tcl tells.
+        if (isMore ? !command.isComplete() : command.text().empty()) continue;
+        code = evaluate(piped, command.text());
+        command.clear();
+    }
+    return finish(code);
 }
 
 int Shell::runPrompt(const std::string& argv0) {
@@ -170,16 +173,27 @@ int Shell::runPrompt(const std::string& argv0) {
     return grsh::runPrompt(interp);
 }
 
-int Shell::runFile(const std::string& typed, const std::string& path) {
-    setMainScript(interp, typed, path);
-    const int code = Tcl_FSEvalFileEx(interp, argumentValue(path).get(), "utf-8");
+int Shell::evaluate(PipedScript& script, const std::string& text) {
+    return Tcl_FSEvalFileEx(interp, textValue(script.add(text)).get(), "utf-8");
+}
+
+int Shell::finish(int code) {
     if (interrupted()) return sayInterrupted();
-    if (code == TCL_OK) return 0;
+    if (code != TCL_OK) return fail();
+    runMainLoop(interp);
+    return 0;
+}
+
+int Shell::fail() {
     const std::string message = stringOf(Tcl_GetObjResult(interp));
-    std::string where = errorPlace(interp);
+    const Value options = hold(Tcl_GetReturnOptions(interp, TCL_ERROR));
+    std::string where = placeOfError(interp);
     // A script may return an error with a trace of its own making.
-    if (where.empty()) where = typed + ":" + std::to_string(Tcl_GetErrorLine(interp));
+    if (where.empty()) where = mainScript(interp)->typed + ":" + std::to_string(Tcl_GetErrorLine(interp));
     print(TCL_STDERR, where + ": " + message + "\n");
+    Tcl_Obj* trace = nullptr;
+    if (line.traces) Tcl_DictObjGet(nullptr, options.get(), textValue("-errorinfo").get(), &trace);
+    if (trace) print(TCL_STDERR, withoutPieces(stringOf(trace)) + "\n");
     return kFailed;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <new>
 
 namespace gr {
 
@@ -32,8 +33,15 @@ struct Builder {
 
     static const Builder& from(void* user) { return *static_cast<const Builder*>(user); }
 
+    // Embree passes exceptions on, and tells of want of memory by a null.
+    static void* allocate(RTCThreadLocalAllocator allocator, std::size_t bytes) {
+        void* memory = embree().rtcThreadLocalAlloc(allocator, bytes, 64);
+        if (memory == nullptr) throw std::bad_alloc();
+        return memory;
+    }
+
     static void* createNode(RTCThreadLocalAllocator allocator, unsigned, void*) {
-        auto* node = static_cast<TreeNode*>(embree().rtcThreadLocalAlloc(allocator, sizeof(TreeNode), 64));
+        auto* node = static_cast<TreeNode*>(allocate(allocator, sizeof(TreeNode)));
         node->clear();
         return node;
     }
@@ -57,8 +65,8 @@ struct Builder {
                             void* user) {
         std::array<std::uint32_t, treeWidth> items;
         for (std::size_t i = 0; i < count; ++i) items[i] = primitives[i].primID;
-        const auto allocate = [&](std::size_t bytes) { return embree().rtcThreadLocalAlloc(allocator, bytes, 64); };
-        return std::bit_cast<void*>(from(user).makeLeaf({items.data(), count}, allocate));
+        const auto allocateHere = [&](std::size_t bytes) { return allocate(allocator, bytes); };
+        return std::bit_cast<void*>(from(user).makeLeaf({items.data(), count}, allocateHere));
     }
 };
 
@@ -101,6 +109,7 @@ WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const Bounds
 
     Builder builder{makeLeaf, unit};
     bvh_ = embree().rtcNewBVH(device.get());
+    if (bvh_ == nullptr) throw std::bad_alloc();
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
     arguments.maxBranchingFactor = treeWidth;
@@ -119,7 +128,12 @@ WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const Bounds
     arguments.userPtr = &builder;
     // Embree, too, runs on TBB: as many threads as are allowed here.
     core::parallelFor(1, threads, [&](int) { root_ = std::bit_cast<TreeReference>(embree().rtcBuildBVH(&arguments)); });
-    device.check();
+    try {
+        device.check();
+    } catch (...) {
+        embree().rtcReleaseBVH(bvh_);
+        throw;
+    }
 }
 
 WideTree::~WideTree() {

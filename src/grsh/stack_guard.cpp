@@ -1,13 +1,10 @@
-#include "grsh/last_words.h"
+#include "grsh/stack_guard.h"
 
 #include <pthread.h>
 #include <signal.h>
-#include <tcl.h>
 #include <unistd.h>
 
-#include <cstdarg>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 
 namespace grsh {
@@ -22,16 +19,6 @@ alignas(16) char signalStack[1 << 16];
     _exit(1);
 }
 
-void onPanic(const char* format, ...) {
-    char reason[300] = "", message[320];
-    std::va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(reason, sizeof reason, format, arguments);
-    va_end(arguments);
-    std::snprintf(message, sizeof message, "grsh: %s\n", reason);
-    end(message);
-}
-
 // Any other crash stays one.
 void onFault(int number, siginfo_t* info, void*) {
     const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr);
@@ -42,8 +29,7 @@ void onFault(int number, siginfo_t* info, void*) {
 
 }  // namespace
 
-void prepareLastWords() {
-    Tcl_SetPanicProc(onPanic);
+void guardStack() {
     pthread_attr_t attributes;
     if (pthread_getattr_np(pthread_self(), &attributes) != 0) return;
     void* begin = nullptr;
