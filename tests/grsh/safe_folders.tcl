@@ -58,6 +58,7 @@ proc makeLinks {} {
     exec ln -s [file normalize outside/secret.tcl] scene/absolute.tcl
     exec ln -s ../outside work/out
     exec ln -s ../outside/victim.png work/link.png
+    exec ln -s ../outside/victim.png work/kept.png.grsh-state
 }
 
 # Makes all of it in the current folder, anew.
