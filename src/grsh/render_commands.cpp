@@ -83,7 +83,11 @@ void publish(const image::ImageFile& file, const FileAccess& files, const Render
     try {
         writeOrRescue(file, files, job, film, metadata);
     } catch (const core::Error&) {
-        resumption.end(result, accumulation, false);
+        // Where the picture is counts for more than that this has no place either.
+        try {
+            resumption.end(result, accumulation, false);
+        } catch (const core::Error&) {
+        }
         throw;
     }
     resumption.end(result, accumulation, true);
