@@ -16,7 +16,8 @@ struct ConeOf {
     using With = ConeOf<Other>;
     static constexpr bool isSolid = true, isEndless = false, isAxisFaced = false;
 
-    Number top{0};  // the radius there; 0: it is pointed
+    // A batch with one number in braces would read a whole batch of them.
+    Number top = Number(0.f);  // the radius there; 0: it is pointed
 
     template<class Self>
     static auto parts(Self& self) {

@@ -17,7 +17,7 @@ struct DiscOf {
     using With = DiscOf<Other>;
     static constexpr bool isSolid = false, isEndless = false, isAxisFaced = true;
 
-    Number hole{0};  // its radius, less than 1
+    Number hole = Number(0.f);  // its radius, less than 1
 
     template<class Self>
     static auto parts(Self& self) {

@@ -18,7 +18,7 @@ struct TorusOf {
     using With = TorusOf<Other>;
     static constexpr bool isSolid = true, isEndless = false, isAxisFaced = false;
 
-    Number tube{0.25f};  // its radius, less than 1
+    Number tube = Number(0.25f);  // its radius, less than 1
 
     template<class Self>
     static auto parts(Self& self) {
