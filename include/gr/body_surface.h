@@ -44,7 +44,8 @@ public:
 private:
     template<class Shape>
     void set(const Shape& shape, SurfacePoint<Real>& surface, bool wantsCoordinates) const {
-        const Vec3 error = instance_.template errorAt<Real>(ray_.origin + ray_.direction * hit_.t);
+        constexpr bool hasAxisFaces = std::remove_cvref_t<std::remove_pointer_t<Shape>>::isAxisFaced;
+        const Vec3 error = instance_.template errorAt<Real>(ray_.origin + ray_.direction * hit_.t, hasAxisFaces);
         const ShapePoint<Real> point = pointOf(shape, instance_.place.toObject(ray_), marginOf(error));
         const bool isInPlace = instance_.place.isInPlace();
         const core::Transform map = instance_.place.objectFromWorld();

@@ -38,7 +38,12 @@ struct Instance {
     // The same along each of the world's axes, of a point of the surface: much less, where faces lie across them.
     template<class Real>
     core::Vec3<Real> errorAt(const core::Vec3<Real>& point) const {
-        if (isAxisFaced(shape) && !place.isGeneral()) return alignedErrorAt(point);
+        return errorAt<Real>(point, isAxisFaced(shape));
+    }
+    // For who knows what the shape is: of many rays that ask, none has to look.
+    template<class Real>
+    core::Vec3<Real> errorAt(const core::Vec3<Real>& point, bool hasAxisFaces) const {
+        if (hasAxisFaces && !place.isGeneral()) return alignedErrorAt(point);
         return core::Vec3<Real>(Real(error) + Real(errorPerUnit()) * core::largestComponent(point));
     }
 

@@ -39,26 +39,27 @@ using ShapeNodes = ShapeNodeList<SphereNode, BoxNode, CylinderNode, ConeNode, To
 using Shape = ShapeNodes::Shape;
 static_assert(CompleteShape<Square>);
 
-inline bool isEndless(const Shape& shape) {
+// Calls f with the shape as what it is, a polyhedron not by its pointer.
+template<class F>
+auto visitShape(const Shape& shape, F&& f) {
     return std::visit(
-        []<class S>(const S&) {
+        [&]<class S>(const S& s) {
             if constexpr (std::is_pointer_v<S>)
-                return false;
+                return f(*s);
             else
-                return S::isEndless;
+                return f(s);
         },
         shape);
 }
-core::Bounds boundsOf(const Shape& shape);  // in its own space
+
+inline bool isEndless(const Shape& shape) {
+    return visitShape(shape, []<class S>(const S&) { return S::isEndless; });
+}
 inline bool isAxisFaced(const Shape& shape) {
-    return std::visit(
-        []<class S>(const S&) {
-            if constexpr (std::is_pointer_v<S>)
-                return false;
-            else
-                return S::isAxisFaced;
-        },
-        shape);
+    return visitShape(shape, []<class S>(const S&) { return S::isAxisFaced; });
+}
+inline core::Bounds boundsOf(const Shape& shape) {  // in its own space
+    return visitShape(shape, [](const auto& s) { return s.bounds(); });
 }
 
 }  // namespace gr

@@ -10,7 +10,7 @@ namespace grsh {
 
 class Resumption {
 public:
-    Resumption(const RenderJob& job, const FileAccess& files, render::StateWords words);
+    Resumption(const RenderJob& job, const FileAccess& files, const gr::Scene& scene);
 
     // Where the picture is to be resumed and there is such a file. Throws core::Error where that is of another picture.
     void read(render::Accumulation& accumulation) const;

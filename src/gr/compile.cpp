@@ -4,6 +4,7 @@
 #include "gr/database/object_count.h"
 #include "gr/flush.h"
 #include "gr/many_rays.h"
+#include "gr/near_origin.h"
 #include "gr/placing.h"
 #include "gr/scene.h"
 
@@ -30,7 +31,8 @@ void checkMemory(const Node& top, double objects) {
 
 class Compiler {
 public:
-    explicit Compiler(const ObjectCounts& objects) : objects_(objects) {}
+    // hasInteriors: whether anything may be transparent; else nobody asks for flat objects.
+    Compiler(const ObjectCounts& objects, bool hasInteriors) : objects_(objects), hasInteriors_(hasInteriors) {}
 
     // origin: what of the world becomes the scene's own.
     Scene compile(const Node& top, const glm::dvec3& origin) {
@@ -113,7 +115,7 @@ private:
         const auto [entry, isNew] = materialIndex_.try_emplace(material, scene_.materials.size());
         if (isNew) addMaterial(material != nullptr ? material->material : materials::Material{});
         instance.material = entry->second;
-        if (flat_.size() < mostFlatObjects && hasFlatSides(instance.shape))
+        if (hasInteriors_ && flat_.size() < mostFlatObjects && hasFlatSides(instance.shape))
             flat_.push_back({static_cast<std::uint32_t>(scene_.instances.size() - 1), place, &node});
     }
 
@@ -123,6 +125,7 @@ private:
     }
 
     const ObjectCounts& objects_;
+    const bool hasInteriors_;
     Scene scene_;
     std::vector<Lamp> lamps_;
     std::vector<FlatObject> flat_;
@@ -138,10 +141,7 @@ glm::dvec3 originFor(const std::vector<core::Bounds>& boxes, const Scene& scene)
     core::Bounds all;
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!isEndless(scene.instances[i].shape)) all.include(boxes[i]);
-    if (all.isEmpty()) return glm::dvec3(0);
-    const glm::dvec3 middle = 0.5 * (glm::dvec3(all.low) + glm::dvec3(all.high));
-    const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-    return largest(middle) > 2 * largest(all.size()) ? middle : glm::dvec3(0);
+    return all.isEmpty() ? glm::dvec3(0) : nearOrigin(glm::dvec3(all.low), glm::dvec3(all.high));
 }
 
 std::vector<core::Bounds> boundsOf(const Scene& scene) {
@@ -159,12 +159,12 @@ Scene compile(const Database& database, std::string_view path, std::span<const s
     for (const std::string& name : lights) named.push_back(database.light(name));
     const ObjectCounts objects = countObjects(top);
     checkMemory(top, objects.at(&top));
-    std::optional<Compiler> compiler(objects);
+    std::optional<Compiler> compiler(std::in_place, objects, database.hasInteriors());
     Scene scene = compiler->compile(top, glm::dvec3(0));
     std::vector<core::Bounds> boxes = boundsOf(scene);
     const glm::dvec3 origin = where == Origin::isNear ? originFor(boxes, scene) : glm::dvec3(0);
     if (origin != glm::dvec3(0)) {
-        scene = compiler.emplace(objects).compile(top, origin);
+        scene = compiler.emplace(objects, database.hasInteriors()).compile(top, origin);
         boxes = boundsOf(scene);
     }
     const std::vector<Contact> contacts = contactsOf(scene, compiler->flatObjects(), boxes);

@@ -14,14 +14,7 @@ namespace gr {
 namespace {
 
 std::vector<FlatSide> flatSidesOf(const Shape& shape) {
-    return std::visit(
-        []<class S>(const S& s) {
-            if constexpr (std::is_pointer_v<S>)
-                return s->flatSides();
-            else
-                return s.flatSides();
-        },
-        shape);
+    return visitShape(shape, [](const auto& s) { return s.flatSides(); });
 }
 
 // A flat side in the scene.
@@ -32,14 +25,15 @@ struct Side {
     double size;  // its longest edge
     const Instance& instance;
 
-    Side(const FlatSide& side, const FlatObject& object, const Instance& instance) : instance(instance) {
-        const auto place = [&](const glm::dvec3& p) { return glm::dvec3(object.matrix * glm::dvec4(p, 1)); };
+    // matrix: from the side's own space; normals: what it makes of normals, the transposed inverse, which keeps them
+    // outward where it mirrors.
+    Side(const FlatSide& side, const glm::dmat4& matrix, const glm::dmat3& normals, const Instance& instance)
+        : instance(instance) {
+        const auto place = [&](const glm::dvec3& p) { return glm::dvec3(matrix * glm::dvec4(p, 1)); };
         const glm::dvec3 last = side.isTriangle ? side.edge2 : side.edge1 + side.edge2;
         corners = {place(side.corner), place(side.corner + side.edge1), place(side.corner + last),
                    place(side.corner + side.edge2)};
         middle = place(side.corner + 0.5 * (side.edge1 + side.edge2));
-        // Outward normals go by the transposed inverse, which keeps them so where the map mirrors.
-        const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(object.matrix)));
         normal = glm::normalize(normals * glm::cross(side.edge1, side.edge2));
         size = std::max(glm::distance(corners[0], corners[1]), glm::distance(corners[0], corners[3]));
     }
@@ -50,9 +44,10 @@ struct Side {
 };
 
 std::vector<Side> sidesOf(const FlatObject& object, const Instance& instance) {
+    const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(object.matrix)));
     std::vector<Side> sides;
     for (const FlatSide& side : flatSidesOf(instance.shape)) {
-        const Side placed(side, object, instance);
+        const Side placed(side, object.matrix, normals, instance);
         if (std::isfinite(placed.normal.x)) sides.push_back(placed);
     }
     return sides;

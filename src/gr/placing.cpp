@@ -8,10 +8,6 @@
 namespace gr {
 namespace {
 
-double largest(const glm::dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 glm::dmat3 absolute(const glm::dmat4& matrix) {
     return {glm::abs(glm::dvec3(matrix[0])), glm::abs(glm::dvec3(matrix[1])), glm::abs(glm::dvec3(matrix[2]))};
 }
@@ -33,10 +29,10 @@ struct Sizes {
     Sizes(const glm::dmat4& matrix, const glm::dmat4& inverse, const Shape& shape) {
         const glm::dmat3 there = absolute(matrix), back = absolute(inverse);
         const glm::dvec3 inWorld = there * extentOf(shape);
-        extent = largest(inWorld);
-        thereAndBack = largest(there * (back * glm::dvec3(1)));
-        extentThereAndBack = largest(there * (back * inWorld));
-        backTranslation = largest(there * glm::abs(glm::dvec3(inverse[3])));
+        extent = core::largestComponent(inWorld);
+        thereAndBack = core::largestComponent(there * (back * glm::dvec3(1)));
+        extentThereAndBack = core::largestComponent(there * (back * inWorld));
+        backTranslation = core::largestComponent(there * glm::abs(glm::dvec3(inverse[3])));
     }
 };
 
@@ -56,8 +52,8 @@ struct Sizes {
 // Instance::errorPerUnit is twice what this asks for, since a shadow ray also rounds by how far away it starts.
 float errorOf(const glm::dmat4& matrix, const Sizes& sizes) {
     constexpr double u = 0x1p-24;
-    return static_cast<float>(u * (48 * sizes.extent + 16 * sizes.extentThereAndBack + largest(glm::dvec3(matrix[3])) +
-                                   sizes.backTranslation));
+    return static_cast<float>(u * (48 * sizes.extent + 16 * sizes.extentThereAndBack +
+                                   core::largestComponent(glm::dvec3(matrix[3])) + sizes.backTranslation));
 }
 
 Placement placementOf(const glm::dmat4& matrix, const glm::dmat4& inverse, const Sizes& sizes, Scene& scene) {

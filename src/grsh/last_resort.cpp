@@ -3,30 +3,20 @@
 #include <tcl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string_view>
 
 namespace grsh {
 namespace {
 
 constexpr std::size_t kReserveBytes = std::size_t{2} << 20;
 void* reserve = nullptr;
-
-// Allocates nothing.
-[[noreturn]] void end(const char* message) {
-    char line[300];
-    const int length = std::snprintf(line, sizeof line - 1, "grsh: %s\n", message);
-    if (length > 0) {
-        const auto size = std::strlen(line);
-        if (line[size - 1] != '\n') line[size - 1] = '\n';
-        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, size);
-    }
-    _exit(1);
-}
 
 // Tcl's own words for it: "unable to alloc 123 bytes" and the like.
 bool isOutOfMemory(const char* message) {
@@ -39,7 +29,7 @@ bool isOutOfMemory(const char* message) {
     va_start(words, format);
     std::vsnprintf(message, sizeof message, format, words);
     va_end(words);
-    end(isOutOfMemory(message) ? "out of memory" : message);
+    giveUp(isOutOfMemory(message) ? "out of memory" : message);
 }
 
 [[noreturn]] void terminate() {
@@ -47,15 +37,26 @@ bool isOutOfMemory(const char* message) {
     try {
         if (std::current_exception()) throw;
     } catch (const std::bad_alloc&) {
-        end("out of memory");
+        giveUp("out of memory");
     } catch (const std::exception& error) {
-        end(error.what());
+        giveUp(error.what());
     } catch (...) {
     }
-    end("ended by an error of its own");
+    giveUp("ended by an error of its own");
 }
 
 }  // namespace
+
+void giveUp(const char* message) {
+    constexpr std::string_view program = "grsh: ";
+    char line[300];
+    const std::size_t length = std::min(std::strlen(message), sizeof line - program.size() - 1);
+    std::memcpy(line, program.data(), program.size());
+    std::memcpy(line + program.size(), message, length);
+    line[program.size() + length] = '\n';
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line, program.size() + length + 1);
+    _exit(1);
+}
 
 void installLastResort() {
     Tcl_SetPanicProc(panic);

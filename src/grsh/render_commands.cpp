@@ -103,7 +103,7 @@ Tcl_Obj* renderCommand(Call& call) {
     const image::ImageFile file(call.session.files->toWrite(job.file), job.layers());
     image::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
     render::Accumulation accumulation(film);
-    Resumption resumption(job, *call.session.files, stateWordsOf(job, scene));
+    Resumption resumption(job, *call.session.files, scene);
     resumption.read(accumulation);
     warnOfScene(call, job, scene);
 

@@ -1,6 +1,7 @@
 #include "grsh/resumption.h"
 
 #include "core/parallel.h"
+#include "grsh/picture_words.h"
 #include "image/image_file.h"
 
 #include <unistd.h>
@@ -9,10 +10,12 @@
 
 namespace grsh {
 
-Resumption::Resumption(const RenderJob& job, const FileAccess& files, render::StateWords words)
-    : job_(job), files_(files), name_(job.file + ".grsh-state"), words_(std::move(words)) {
+Resumption::Resumption(const RenderJob& job, const FileAccess& files, const gr::Scene& scene)
+    : job_(job), files_(files), name_(job.file + ".grsh-state") {
+    if (!job.settings.resume && !job.settings.keep) return;
     // A place where it may not be written is told before the first ray.
-    if (job.settings.resume || job.settings.keep) files.toWrite(name_);
+    files.toWrite(name_);
+    words_ = stateWordsOf(job, scene);
 }
 
 void Resumption::read(render::Accumulation& accumulation) const {

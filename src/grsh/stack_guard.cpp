@@ -1,11 +1,12 @@
 #include "grsh/stack_guard.h"
 
+#include "grsh/last_resort.h"
+
 #include <pthread.h>
 #include <signal.h>
-#include <unistd.h>
 
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 namespace grsh {
 namespace {
@@ -14,15 +15,10 @@ constexpr std::size_t kBelowStack = 1 << 20;  // what lies below a stack that is
 std::uintptr_t stackBegin = 0, stackEnd = 0;
 alignas(16) char signalStack[1 << 16];
 
-[[noreturn]] void end(const char* message) {
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, std::strlen(message));
-    _exit(1);
-}
-
 // Any other crash stays one.
 void onFault(int number, siginfo_t* info, void*) {
     const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr);
-    if (at + kBelowStack >= stackBegin && at < stackEnd) end("grsh: the script nests too deeply\n");
+    if (at + kBelowStack >= stackBegin && at < stackEnd) giveUp("the script nests too deeply");
     signal(number, SIG_DFL);
     raise(number);
 }

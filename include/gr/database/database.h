@@ -53,6 +53,7 @@ public:
 
     const Node& find(std::string_view path) const;
     const NamedLight& light(std::string_view name) const;
+    bool hasInteriors() const;  // whether one of its materials has something inside of it
     // Throws unless a node of that name may be made there.
     void checkNew(std::string_view parent, std::string_view name) const;
     // The polyhedron in a mesh file; see MeshFiles.

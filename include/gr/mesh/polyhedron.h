@@ -55,6 +55,8 @@ struct MeshRepairs {
 
 class Polyhedron {
 public:
+    static constexpr bool isEndless = false, isAxisFaced = false;
+
     ~Polyhedron();
     // Throws core::Error for a face that is not simple (its outline crosses itself) and for a mesh without any area.
     // mesh: indices within range, finite coordinates, at least three indices to a face.
@@ -91,6 +93,7 @@ public:
     // is large. All its coordinates are relative to this.
     const glm::dvec3& origin() const { return origin_; }
     core::Bounds bounds() const { return bounds_; }
+    core::Vec3f reachUnder(const core::Transform& map) const { return reachOfBox(map, bounds_.size() * 0.5f); }
     std::vector<FlatSide> flatSides() const;  // each triangle
     std::size_t triangleCount() const { return triangleCount_; }
     core::Vec3f vertex(std::uint32_t triangle, int corner) const;

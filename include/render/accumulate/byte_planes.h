@@ -14,7 +14,7 @@ namespace render {
 class PlanePacker {
 public:
     template<class Number>
-    void add(std::vector<Number> numbers) {
+    void add(const std::vector<Number>& numbers) {
         for (std::size_t byte = 0; byte < sizeof(Number); ++byte)
             for (const Number number : numbers) bytes_.push_back(static_cast<char>(number >> (8 * byte)));
     }

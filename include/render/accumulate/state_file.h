@@ -1,4 +1,5 @@
-// An accumulation on disk: complete, or not there. docs/resume.md tells what is in the file.
+// An accumulation on disk: complete, or not there. docs/physics.md, "What is kept", tells what is in
+// the file.
 #pragma once
 
 #include "image/image_file.h"

@@ -197,6 +197,12 @@ void Database::addLight(std::string_view name, const NamedLight& light) {
         throw core::Error("LIGHT", "EXISTS", key, "light \"" + key + "\" already exists");
 }
 
+bool Database::hasInteriors() const {
+    return std::any_of(materials_.begin(), materials_.end(), [](const auto& entry) {
+        return std::visit([](const auto& material) { return material.interior().has_value(); }, entry.second.material);
+    });
+}
+
 const NamedLight& Database::light(std::string_view name) const {
     const auto found = lights_.find(std::string(name));
     if (found == lights_.end())

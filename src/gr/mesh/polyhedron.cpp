@@ -5,6 +5,7 @@
 #include "gr/mesh/pack.h"
 #include "gr/mesh/parts.h"
 #include "gr/mesh/triangle_order.h"
+#include "gr/near_origin.h"
 
 #include <algorithm>
 #include <atomic>
@@ -45,16 +46,13 @@ std::vector<glm::ivec3> makeTriangles(FlatMesh& mesh, Crossing crossing, MeshRep
     return triangles;
 }
 
-// A mesh far away would spend its digits on telling how far.
 glm::dvec3 originFor(const FlatMesh& mesh) {
     glm::dvec3 low(core::infinity), high(-core::infinity);
     for (const glm::dvec3& vertex : mesh.vertices) {
         low = glm::min(low, vertex);
         high = glm::max(high, vertex);
     }
-    const auto largest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-    const glm::dvec3 middle = 0.5 * (low + high);
-    return largest(middle) > 2 * largest(high - low) ? middle : glm::dvec3(0);
+    return nearOrigin(low, high);
 }
 
 TrianglePack makePack(const FlatMesh& mesh, const glm::dvec3& origin, std::span<const glm::ivec3> triangles) {
