@@ -2,18 +2,14 @@
 #pragma once
 
 #include "core/open_below.h"
-#include "gr/mesh/polyhedron.h"
+#include "gr/mesh/mesh_import.h"
 
 #include <unordered_map>
 
 namespace gr {
 
-// A file announces how much it holds before it does. Throws core::Error, whose text is the reason, for one that holds
-// less: nobody is to reserve memory for what is not there.
-void checkAnnounced(std::string_view file, std::string_view ending);
-
-// The meshes that were read. A file that is read again is the same polyhedron, as long as that is used and the file
-// has not changed.
+// The meshes that were read. A file that is read again is the same polyhedron, as long as that is used and neither the
+// file nor one that it names has changed.
 class MeshFiles {
 public:
     // path: of the file; name: as the script calls it, for messages. Throws core::Error for a file that cannot be read.
@@ -27,8 +23,8 @@ public:
 private:
     struct Entry {
         std::weak_ptr<const Polyhedron> polyhedron;
-        std::uintmax_t size;
-        std::int64_t changed;  // when, in nanoseconds
+        std::int64_t size, changed;  // changed: when, in nanoseconds
+        std::vector<NamedFile> named;
     };
     std::unordered_map<std::string, Entry> entries_;  // by the files' own paths, without links
 };

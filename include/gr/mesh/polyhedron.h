@@ -8,6 +8,7 @@
 #include "gr/shapes/flat_side.h"
 #include "gr/shapes/surface.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -25,12 +26,24 @@ struct PolygonMesh {
     std::vector<std::vector<int>> faces;
 };
 
+// Faces that a file has under one name, and what they are made of there; "" where it gives none.
+struct MeshGroup {
+    std::string name, material;
+
+    bool operator==(const MeshGroup&) const = default;
+};
+
 // The same in few arrays, as a million faces are kept.
 struct FlatMesh {
     std::vector<glm::dvec3> vertices;
     std::vector<int> corners;  // the vertices of all faces, one face after another
     std::vector<int> ends;  // of each face in `corners`; empty: all faces are triangles
-    std::vector<PackedNormal> normals;  // of each corner, for shading; or empty
+    // Of each corner, or empty:
+    std::vector<PackedNormal> normals;  // for shading
+    std::vector<core::Vec2f> uvs;  // v upwards
+    std::vector<core::Rgbf> colours;  // linear
+    std::vector<MeshGroup> groups;
+    std::vector<std::uint32_t> groupOf;  // of each face in `groups`; empty where there are none
 
     FlatMesh() = default;
     explicit FlatMesh(const PolygonMesh& mesh);
@@ -39,6 +52,21 @@ struct FlatMesh {
     int begin(int face) const { return ends.empty() ? 3 * face : face == 0 ? 0 : ends[face - 1]; }
     int end(int face) const { return ends.empty() ? 3 * face + 3 : ends[face]; }
     std::span<const int> face(int face) const { return {&corners[begin(face)], &corners[0] + end(face)}; }
+
+    // The face that a place in `corners` belongs to.
+    std::size_t faceOf(int corner) const {
+        if (ends.empty()) return static_cast<std::size_t>(corner) / 3;
+        return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), corner) - ends.begin());
+    }
+
+    // Calls function(list) for each list that has a value for each corner.
+    template<class Function>
+    void forEachCornerList(Function&& function) {
+        function(corners);
+        if (!normals.empty()) function(normals);
+        if (!uvs.empty()) function(uvs);
+        if (!colours.empty()) function(colours);
+    }
 };
 
 // What was mended while a polyhedron was made.
@@ -49,6 +77,7 @@ struct MeshRepairs {
     int turnedFaces = 0;  // wound against their neighbours
     int crossingFaces = 0;  // dropped because their outline crosses itself
     int linesAndPoints = 0;  // left out
+    int absentReferences = 0;  // corners that name a normal or u v which is not there
 
     std::string text() const;  // empty when nothing was mended
 };
@@ -89,6 +118,12 @@ public:
     template<class Real>
     core::Vec3<Real> shadingNormal(const HitOf<Real>& hit) const;  // likewise
 
+    // What its file tells of a triangle's corners, and what it belongs to; empty where it does not.
+    std::span<const core::Vec2f> uvs() const { return uvs_; }  // of each triangle's three corners
+    std::span<const core::Rgbf> colours() const { return colours_; }  // likewise, linear
+    std::span<const MeshGroup> groups() const { return groups_; }
+    std::span<const std::uint32_t> groupOf() const { return groupOf_; }  // of each triangle in groups()
+
     // Where its own space begins, in that of the vertices it was given: in its middle, if it lies farther away than it
     // is large. All its coordinates are relative to this.
     const glm::dvec3& origin() const { return origin_; }
@@ -106,9 +141,14 @@ private:
 
     Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles);
     void setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);
+    void keepWhatIsKnown(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);
 
     std::unique_ptr<TrianglePack[]> packs_;
     std::vector<PackedNormal> normals_;  // of each triangle's three corners, or empty
+    std::vector<core::Vec2f> uvs_;  // likewise
+    std::vector<core::Rgbf> colours_;  // likewise
+    std::vector<MeshGroup> groups_;
+    std::vector<std::uint32_t> groupOf_;  // of each triangle, or empty
     std::size_t triangleCount_ = 0;
     glm::dvec3 origin_{0};
     core::Bounds bounds_;

@@ -2,19 +2,18 @@
 
 #include "core/allocated.h"
 #include "core/error.h"
-#include "gr/mesh/mesh_import.h"
+#include "gr/mesh/mesh_formats.h"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 namespace gr {
 namespace {
@@ -26,11 +25,10 @@ namespace {
 
 // In lower case.
 std::string endingOf(const std::string& path) {
-    constexpr std::array<std::string_view, 5> known{".obj", ".ply", ".stl", ".gltf", ".glb"};
     std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (std::find(known.begin(), known.end(), ending) == known.end())
-        fail("the name of a mesh file ends in " + core::listed(known));
+    if (std::find(meshEndings.begin(), meshEndings.end(), ending) == meshEndings.end())
+        fail("the name of a mesh file ends in " + core::listed(meshEndings));
     return ending;
 }
 
@@ -47,25 +45,38 @@ core::Descriptor openMesh(const std::string& path, const core::Folder* below) {
     return core::Descriptor();
 }
 
-struct OpenFile {
-    OpenFile(const std::string& path, const core::Folder* below) : descriptor(openMesh(path, below)) {
-        if (!descriptor.isOpen() || fstat(descriptor.number(), &status) != 0) fail(reasonOf(errno));
+// The folder that a file lies in.
+core::Descriptor openFolder(const std::string& path, const core::Folder* below) {
+    constexpr int flags = O_PATH | O_DIRECTORY | O_CLOEXEC;
+    const std::string folder = std::filesystem::path(path).parent_path();
+    if (below == nullptr) return core::Descriptor(open(folder.empty() ? "." : folder.c_str(), flags));
+    return core::openBelow(below->descriptor.number(), core::pathBelow(below->path, folder).value_or("."), flags);
+}
+
+struct OpenMesh {
+    OpenMesh(const std::string& path, const core::Folder* below)
+        : file(openMesh(path, below)), folder(openFolder(path, below)) {
+        if (!file.isOpen() || fstat(file.number(), &status) != 0) fail(reasonOf(errno));
+        if (S_ISDIR(status.st_mode)) fail(std::strerror(EISDIR));
+        if (!S_ISREG(status.st_mode)) fail("it is not a regular file");
+        if (status.st_size == 0) fail("it is empty");
+        if (!folder.isOpen()) fail("its folder cannot be opened");
     }
 
-    core::Descriptor descriptor;
+    core::Descriptor file, folder;
     struct stat status;
 };
 
-void checkContents(const OpenFile& file, std::string_view ending) {
-    if (S_ISDIR(file.status.st_mode)) fail(std::strerror(EISDIR));
-    if (!S_ISREG(file.status.st_mode)) fail("it is not a regular file");
-    if (file.status.st_size == 0) fail("it is empty");
-    const auto size = static_cast<std::size_t>(file.status.st_size);
-    void* data = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor.number(), 0);
-    if (data == MAP_FAILED) fail(std::strerror(errno));
-    const auto unmap = [size](void* mapped) { munmap(mapped, size); };
-    const std::unique_ptr<void, decltype(unmap)> mapping(data, unmap);
-    checkAnnounced({static_cast<const char*>(data), size}, ending);
+std::int64_t changeOf(const struct stat& status) {
+    return status.st_mtim.tv_sec * 1000000000 + status.st_mtim.tv_nsec;
+}
+
+bool areUnchanged(const std::vector<NamedFile>& files, int folder) {
+    return std::all_of(files.begin(), files.end(), [&](const NamedFile& file) {
+        struct stat status;
+        return fstatat(folder, file.path.c_str(), &status, 0) == 0 && status.st_size == file.size &&
+               changeOf(status) == file.changed;
+    });
 }
 
 std::string withoutLinks(const std::string& path) {
@@ -73,26 +84,21 @@ std::string withoutLinks(const std::string& path) {
     return real ? real.get() : path;
 }
 
-std::shared_ptr<const Polyhedron> readMesh(const OpenFile& file, const std::string& path, MeshRepairs& repairs,
-                                           const core::Folder* below) {
-    checkContents(file, endingOf(path));
-    return Polyhedron::make(importMesh(path, repairs, below), repairs);
-}
-
 }  // namespace
 
 std::shared_ptr<const Polyhedron> MeshFiles::read(const std::string& path, std::string_view name, MeshRepairs& repairs,
                                                   const core::Folder* below) {
     try {
-        endingOf(path);
-        const OpenFile file(path, below);
-        const auto size = static_cast<std::uintmax_t>(file.status.st_size);
-        const std::int64_t changed = file.status.st_mtim.tv_sec * 1000000000 + file.status.st_mtim.tv_nsec;
+        const std::string ending = endingOf(path);
+        const OpenMesh open(path, below);
         Entry& entry = entries_[withoutLinks(path)];
         std::shared_ptr<const Polyhedron> polyhedron = entry.polyhedron.lock();
-        if (polyhedron != nullptr && entry.size == size && entry.changed == changed) return polyhedron;
-        polyhedron = readMesh(file, path, repairs, below);
-        entry = {polyhedron, size, changed};
+        const bool isSame = entry.size == open.status.st_size && entry.changed == changeOf(open.status) &&
+                            areUnchanged(entry.named, open.folder.number());
+        if (polyhedron != nullptr && isSame) return polyhedron;
+        ImportedMesh imported = importMesh(open.file.number(), ending, open.folder.number(), repairs);
+        polyhedron = Polyhedron::make(std::move(imported.mesh), repairs);
+        entry = {polyhedron, open.status.st_size, changeOf(open.status), std::move(imported.files)};
         return polyhedron;
     } catch (const core::Error& error) {
         throw core::Error("MESH", "FILE", path, "cannot read \"" + std::string(name) + "\": " + error.what());
@@ -101,7 +107,10 @@ std::shared_ptr<const Polyhedron> MeshFiles::read(const std::string& path, std::
 
 std::size_t MeshFiles::bytes() const {
     std::size_t bytes = core::allocatedByTable(entries_);
-    for (const auto& [path, entry] : entries_) bytes += core::allocatedBytes(path);
+    for (const auto& [path, entry] : entries_) {
+        bytes += core::allocatedBytes(path) + entry.named.capacity() * sizeof(NamedFile);
+        for (const NamedFile& file : entry.named) bytes += core::allocatedBytes(file.path);
+    }
     return bytes;
 }
 

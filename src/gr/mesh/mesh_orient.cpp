@@ -109,8 +109,7 @@ double volume(const FlatMesh& mesh, std::span<const int> faces, const std::vecto
 
 void turn(FlatMesh& mesh, int face) {
     const int begin = mesh.begin(face), end = mesh.end(face);
-    std::reverse(mesh.corners.begin() + begin, mesh.corners.begin() + end);
-    if (!mesh.normals.empty()) std::reverse(mesh.normals.begin() + begin, mesh.normals.begin() + end);
+    mesh.forEachCornerList([&](auto& list) { std::reverse(list.begin() + begin, list.begin() + end); });
 }
 
 }  // namespace

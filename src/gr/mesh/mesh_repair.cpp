@@ -101,8 +101,7 @@ void dropDegenerate(FlatMesh& mesh, MeshRepairs& repairs) {
     // What is kept moves to the front.
     int size = 0, faces = 0;
     const auto keep = [&](int place) {
-        mesh.corners[size] = mesh.corners[place];
-        if (!mesh.normals.empty()) mesh.normals[size] = mesh.normals[place];
+        mesh.forEachCornerList([&](auto& list) { list[size] = list[place]; });
         ++size;
     };
     std::vector<int> outline, places;
@@ -122,11 +121,13 @@ void dropDegenerate(FlatMesh& mesh, MeshRepairs& repairs) {
         } else {
             for (int place = begin; place < end; ++place) keep(place);
         }
-        if (!mesh.ends.empty()) mesh.ends[faces++] = size;
+        if (!mesh.ends.empty()) mesh.ends[faces] = size;
+        if (!mesh.groupOf.empty()) mesh.groupOf[faces] = mesh.groupOf[f];
+        ++faces;
     }
-    mesh.corners.resize(size);
+    mesh.forEachCornerList([&](auto& list) { list.resize(size); });
     if (!mesh.ends.empty()) mesh.ends.resize(faces);
-    if (!mesh.normals.empty()) mesh.normals.resize(size);
+    if (!mesh.groupOf.empty()) mesh.groupOf.resize(faces);
 }
 
 }  // namespace gr

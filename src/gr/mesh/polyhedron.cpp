@@ -25,6 +25,8 @@ std::string MeshRepairs::text() const {
     add(turnedFaces, "wrong-way face turned", "wrong-way faces turned");
     add(crossingFaces, "self-crossing face dropped", "self-crossing faces dropped");
     add(linesAndPoints, "line or point left out", "lines and points left out");
+    add(absentReferences, "corner names a normal or u v that is not there",
+        "corners name normals or u v that are not there");
     return text;
 }
 
@@ -94,6 +96,7 @@ Polyhedron::Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles)
         });
     for (const core::Bounds& box : bounds) bounds_.include(box);
     if (!mesh.normals.empty()) setNormals(mesh, triangles);
+    keepWhatIsKnown(mesh, triangles);
 }
 
 namespace {
@@ -153,6 +156,30 @@ void Polyhedron::setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>&
     if (!anyIsSmooth) normals_ = {};
 }
 
+namespace {
+
+// The values of triangles' corners; none where the mesh has none.
+template<class Value>
+std::vector<Value> ofCorners(const std::vector<Value>& values, const std::vector<glm::ivec3>& triangles) {
+    std::vector<Value> kept;
+    if (values.empty()) return kept;
+    kept.reserve(3 * triangles.size());
+    for (const glm::ivec3& triangle : triangles)
+        for (int k = 0; k < 3; ++k) kept.push_back(values[static_cast<std::size_t>(triangle[k])]);
+    return kept;
+}
+
+}  // namespace
+
+void Polyhedron::keepWhatIsKnown(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles) {
+    uvs_ = ofCorners(mesh.uvs, triangles);
+    colours_ = ofCorners(mesh.colours, triangles);
+    if (mesh.groups.empty()) return;
+    groups_ = mesh.groups;
+    groupOf_.reserve(triangles.size());
+    for (const glm::ivec3& triangle : triangles) groupOf_.push_back(mesh.groupOf[mesh.faceOf(triangle[0])]);
+}
+
 Polyhedron::~Polyhedron() = default;
 
 core::Vec3f Polyhedron::vertex(std::uint32_t triangle, int corner) const {
@@ -169,7 +196,9 @@ std::vector<FlatSide> Polyhedron::flatSides() const {
 }
 
 std::size_t Polyhedron::bytes() const {
-    return packCount() * sizeof(TrianglePack) + normals_.size() * sizeof(PackedNormal);
+    return packCount() * sizeof(TrianglePack) + normals_.size() * sizeof(PackedNormal) +
+           uvs_.size() * sizeof(core::Vec2f) + colours_.size() * sizeof(core::Rgbf) +
+           groupOf_.size() * sizeof(std::uint32_t);
 }
 
 std::size_t Polyhedron::packCount() const {

@@ -10,8 +10,9 @@ proc obj2gr::normalOf {places} {
     return $sum
 }
 
-# Whether gr_polyhedron takes the face for sure: at no corner the outline turns back.
+# Whether gr_polyhedron takes the face for sure: at no corner the outline turns back, and it goes round once.
 proc obj2gr::isConvex {places} {
+    if {[llength [lsort -unique $places]] < [llength $places]} {return 0}
     set normal [normalOf $places]
     set first [lindex $places 0]
     set before [lindex $places end]

@@ -1,12 +1,4 @@
-# OBJ files.
-
-# What else OBJ files have: lines, points, curves, and what only other renderers know of.
-namespace eval obj2gr {
-    variable statements {
-        l p vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con mg bevel c_interp d_interp lod
-        shadow_obj trace_obj ctech stech maplib usemap call csh
-    }
-}
+# OBJ files, which grsh's own reader of them takes apart.
 
 # Returns a dict:
 #     vertices, normals   lists of {x y z}
@@ -15,64 +7,46 @@ namespace eval obj2gr {
 #     materials           what the MTL files hold
 proc obj2gr::readObj {file} {
     if {![file isfile $file]} {fail "cannot read \"$file\": there is no such file"}
-    foreach key {v vt vn} {set lists($key) {}}
+    set read [wordsOf $file]
+    if {[llength [dict get $read parts]] == 0} {fail "$file: it has no faces"}
+    set materials [materialsOf $file [dict get $read libraries] [dict get $read materials]]
+    foreach {line key} [dict get $read leftOut] {warn "$file:$line: \"$key\" and others of its kind are left out"}
+    if {[dict get $read absent] > 0} {warn "$file: corners that name normals which are not there: [dict get $read absent]"}
     set parts {}
+    foreach {name material faces} [dict get $read parts] {
+        if {$name eq ""} {set name [file rootname [file tail $file]]}
+        dict lappend parts [list $name $material] {*}$faces
+    }
+    dict create vertices [dict get $read vertices] normals [dict get $read normals] parts $parts materials $materials
+}
+
+# What grsh_import, which stands beside this program, makes of the file.
+proc obj2gr::wordsOf {file} {
+    set grsh [file dirname [file normalize [file join [info nameofexecutable] -]]]
+    try {
+        set channel [open |[list [file join [file dirname $grsh] grsh_import] --words $file 2>@1]]
+        fconfigure $channel -encoding utf-8
+        set words [read $channel]
+        close $channel
+    } on error {} {
+        # What it has written is then the reason.
+        set reason [string trim $words]
+        if {![regsub {^line (\d+): } $reason "$file:\\1: " reason]} {set reason "$file: $reason"}
+        fail $reason
+    }
+    return $words
+}
+
+# What the libraries hold, and warnings for the names that they do not. Both come with the lines that name them.
+proc obj2gr::materialsOf {file libraries names} {
     set materials {}
-    set name [file rootname [file tail $file]]
-    set material ""
-    set left {}
-    foreach {line words} [linesOf $file] {
-        set place $file:$line
-        set words [lassign $words key]
-        switch -- $key {
-            v - vn {lappend lists($key) [numbersOf $words 3 $place]}
-            vt {lappend lists(vt) {}}
-            f {
-                if {[llength $words] < 3} {fail "$place: a face needs 3 corners at least, not [llength $words]"}
-                dict lappend parts [list $name $material] [corners $words lists $place]
-            }
-            o - g {if {[llength $words] > 0} {set name [join $words]}}
-            usemtl {
-                set material [join $words]
-                if {![dict exists $materials $material]} {
-                    warn "$place: no such material \"$material\": it is grey"
-                    dict set materials $material {}
-                }
-            }
-            mtllib {set materials [dict merge $materials [libraries $words $file $place]]}
-            s {}
-            default {
-                if {$key ni $::obj2gr::statements} {
-                    regsub -all {[^ -~]} [string range $key 0 20] ? shown
-                    fail "$place: \"$shown\" is nothing that an OBJ file has"
-                }
-                if {$key ni $left} {warn "$place: \"$key\" and others of its kind are left out"}
-                lappend left $key
-            }
-        }
+    foreach {line words} $libraries {set materials [dict merge $materials [libraries $words $file $file:$line]]}
+    foreach {line name} $names {
+        if {[dict exists $materials $name]} {continue}
+        warn "$file:$line: no such material \"$name\": it is grey"
+        dict set materials $name {}
     }
-    if {[dict size $parts] == 0} {fail "$file: it has no faces"}
-    dict create vertices $lists(v) normals $lists(vn) parts $parts materials $materials
-}
-
-# A face's corners, written as v, v/vt, v//vn or v/vt/vn.
-proc obj2gr::corners {words listsName place} {
-    upvar $listsName lists
-    lmap word $words {
-        if {![regexp {^(-?\d+)(?:/(-?\d+)?(?:/(-?\d+))?)?$} $word - v vt vn]} {
-            fail "$place: \"$word\" is not a corner: it must be v, v/vt, v//vn or v/vt/vn"
-        }
-        if {$vt ne ""} {index $vt [llength $lists(vt)] "texture vertex" $place}
-        list [index $v [llength $lists(v)] vertex $place] \
-            [expr {$vn eq "" ? -1 : [index $vn [llength $lists(vn)] normal $place]}]
-    }
-}
-
-# From 0. In the file they count from 1, or backwards from -1, the last one so far.
-proc obj2gr::index {word count what place} {
-    scan $word %lld number
-    if {$number == 0 || abs($number) > $count} {fail "$place: a face names $what $word of $count"}
-    expr {$number > 0 ? $number - 1 : $count + $number}
+    return $materials
 }
 
 # mtllib names one file, which may have blanks in its name, or several.

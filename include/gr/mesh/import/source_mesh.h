@@ -18,6 +18,14 @@ struct Failure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+inline constexpr double mostCoordinate = 1e18;  // its square is still a float
+
+// normal: of any length.
+inline PackedNormal packedOrNone(const core::Vec3f& normal) {
+    const float size = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+    return size > 0 && size < core::infinity ? packNormal(normal) : noNormal;
+}
+
 // Faces that follow each other and belong together, to the next group's first one.
 struct SourceGroup {
     std::string name, material;  // "" where the file gives none
@@ -36,6 +44,7 @@ public:
     std::vector<core::Rgbf> colours;  // linear
     std::vector<SourceGroup> groups;  // the first one at face 0; or empty
     std::uint32_t linesAndPoints = 0;  // left out
+    std::uint32_t absentReferences = 0;  // corners that name a normal or u v which the file does not have
 
     int faceCount() const { return static_cast<int>(ends.empty() ? corners.size() / 3 : ends.size()); }
 

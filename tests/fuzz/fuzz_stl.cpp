@@ -1,0 +1,7 @@
+// Links: mesh_readers gr
+#include "fuzz/mesh.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    fuzz::readMesh(bytes, size, gr::importer::readStl);
+    return 0;
+}
