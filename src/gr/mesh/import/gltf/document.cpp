@@ -21,7 +21,7 @@ constexpr std::array knownExtensions{"KHR_mesh_quantization"sv,
                                      "KHR_lights_punctual"sv,
                                      "KHR_animation_pointer"sv,
                                      "KHR_xmp*"sv,
-                                     "KHR_techniques_webgl"sv,
+                                     "KHR_technique*"sv,
                                      "EXT_texture_*"sv,
                                      "EXT_lights_*"sv,
                                      "EXT_mesh_features"sv,
@@ -50,17 +50,18 @@ void checkExtensions(const JsonObject& root) {
     }
 }
 
-// The number before the dot; 0 where there is none.
-int firstNumber(std::string_view version) {
-    return version.size() == 1 || (version.size() > 1 && version[1] == '.') ? version[0] - '0' : 0;
+// As a text even where it is a number, as in the first files of glTF 1.
+std::string versionOf(const JsonObject& asset) {
+    const nlohmann::json* version = asset.find("version");
+    return version != nullptr && version->is_number() ? version->dump() : asset.text("version");
 }
 
 void checkVersion(const JsonObject& root) {
     const std::optional<JsonObject> asset = root.object("asset");
     if (!asset) throw Failure("it has no \"asset\", as a glTF 2 file does");
-    const std::string version = asset->text("version"), least = asset->text("minVersion");
-    if (firstNumber(version) == 1) throw Failure("it is glTF 1, and only glTF 2 is read");
-    if (firstNumber(version) != 2)
+    const std::string version = versionOf(*asset), least = asset->text("minVersion");
+    if (version == "1" || version.starts_with("1.")) throw Failure("it is glTF 1, and only glTF 2 is read");
+    if (version != "2" && !version.starts_with("2."))
         throw Failure("it is glTF of version " + inQuotes(version) + ", and only glTF 2 is read");
     if (!least.empty() && least != "2.0")
         throw Failure("it needs a reader of glTF " + inQuotes(least) + ", and this one is of \"2.0\"");
