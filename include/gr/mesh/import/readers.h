@@ -9,8 +9,8 @@
 
 namespace gr::importer {
 
-// The bytes of a file below the mesh file's own folder, by its path relative to that; they stay where they are as long
-// as the reader runs. Throws Failure where there is none.
+// Gives the bytes of a file that lies below the mesh file's own folder. path: relative to that folder, parted by '/',
+// without "." and "..". The bytes stay where they are as long as the reader runs. Throws Failure where there is none.
 using OtherFile = std::function<std::string_view(const std::string& path)>;
 
 // Each makes a mesh of a file's bytes. Throws Failure, whose text tells what is wrong where, for what is not a whole
@@ -25,8 +25,10 @@ SourceMesh readPly(std::string_view file);
 // STL, as text or binary. It has normals of faces only, which say no more than the faces.
 SourceMesh readStl(std::string_view file);
 
-// glTF 2, its text and its binary form: all nodes of a scene where they stand at rest, also those with skins and morph
-// targets.
+// glTF 2, as JSON text with its buffers beside it, or in one file. All faces of the file's scene: its default one, or
+// its first one, or all nodes where there are no scenes. Meshes stand as they do before any animation begins, with
+// their skins and morph targets. Lengths are the file's, which are metres; y is upwards. Pictures, lights and cameras
+// are not read.
 SourceMesh readGltf(std::string_view file, const OtherFile& others);
 SourceMesh readGlb(std::string_view file, const OtherFile& others);
 

@@ -32,9 +32,9 @@ std::string_view FilesBelow::bytesOf(const std::string& path) {
     const core::Descriptor descriptor = core::openFileBelow(folder_, path);
     if (!descriptor.isOpen()) {
         const bool leadsOut = errno == EXDEV;
-        throw Failure("it names the file \"" + path + "\", " +
-                      (leadsOut ? "which does not lie below its own folder"
-                                : std::string("which cannot be read: ") + std::strerror(errno)));
+        throw Failure(
+            "the file \"" + path + "\" " +
+            (leadsOut ? "leads out of the mesh's own folder" : std::string("cannot be read: ") + std::strerror(errno)));
     }
     return opened_.emplace_back(descriptor.number(), path).bytes();
 }
