@@ -27,7 +27,7 @@ std::string nearest(std::string_view word, std::span<const std::string_view> can
 // " (did you mean "gold"?)", or nothing.
 std::string didYouMean(std::string_view word, std::span<const std::string_view> candidates);
 
-// a, b or c
-std::string listed(std::span<const std::string_view> words);
+// a, b or c; last: the word before the last one.
+std::string listed(std::span<const std::string_view> words, std::string_view last = "or");
 
 }  // namespace core

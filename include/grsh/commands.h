@@ -63,6 +63,7 @@ std::vector<const Command*> allCommands();
 std::string materialOptionsHelp();
 std::string renderOptionsHelp();
 std::string compareOptionsHelp();
+std::string meshOptionsHelp();
 
 // Creates the commands, and a session that lives as long as the interpreter; files lives longer.
 void registerCommands(Tcl_Interp* interp, const FileAccess& files, const Limits& limits, bool resumes);

@@ -32,7 +32,7 @@ bool isLibrary(Tcl_Interp* interp, const std::string& path);
 std::string shown(Tcl_Interp* interp, const Place& place);
 
 // A file that is named in a script: from the folder of the file that holds the command; at the prompt, from the current
-// folder. An absolute name stays.
+// folder. An absolute name stays. What it returns is as the system has it, not as Tcl does.
 std::string besideScript(Tcl_Interp* interp, std::string_view file);
 
 // The words' result as one command, or null where that is an error.

@@ -44,10 +44,10 @@ std::string didYouMean(std::string_view word, std::span<const std::string_view> 
     return near.empty() ? "" : " (did you mean \"" + near + "\"?)";
 }
 
-std::string listed(std::span<const std::string_view> words) {
+std::string listed(std::span<const std::string_view> words, std::string_view last) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+        if (i > 0) text += i + 1 == words.size() ? " " + std::string(last) + " " : ", ";
         text += words[i];
     }
     return text;

@@ -4,6 +4,7 @@
 
 #include "grsh/error_place.h"
 #include "grsh/piped_script.h"
+#include "grsh/words.h"
 
 namespace grsh {
 namespace {
@@ -94,11 +95,14 @@ std::string besideScript(Tcl_Interp* interp, std::string_view file) {
     const MainScript* main = mainScript(interp);
     const bool isStandardInput =
         main != nullptr && script == main->path && main->typed == "-" && script != normalized("-");
-    if (script.empty() || isStandardInput) return normalized(std::string(file));
+    const auto asTheSystemHasIt = [](const std::string& path) {
+        return fileNameFrom(textValue(normalized(path)).get(), "file");
+    };
+    if (script.empty() || isStandardInput) return asTheSystemHasIt(std::string(file));
     const Value folder = textValue(script.substr(0, script.rfind('/') + 1)), name = textValue(file);
     Tcl_Obj* const parts[] = {name.get()};
     const Value joined = hold(Tcl_FSJoinToPath(folder.get(), 1, parts));
-    return normalized(stringOf(joined.get()));
+    return asTheSystemHasIt(stringOf(joined.get()));
 }
 
 }  // namespace grsh

@@ -2,6 +2,7 @@
 
 #include "grsh/commands.h"
 #include "grsh/node_words.h"
+#include "grsh/option_words.h"
 #include "grsh/place.h"
 
 #include <algorithm>
@@ -153,10 +154,12 @@ Tcl_Obj* makePolyhedron(Call& call) {
 Tcl_Obj* makeMesh(Call& call) {
     checkNew(call);
     const std::string file(call.words.text(2));
+    gr::MeshSettings settings;
+    readOptions(call.words, 3, "no such option", settings);
     gr::MeshRepairs repairs;
     const std::string place = besideScript(call.interp, file);
     const core::Folder* below = call.session.files->folderToRead(place, file);
-    const auto polyhedron = call.session.database.readMesh(place, file, repairs, below);
+    const auto polyhedron = call.session.database.readMesh(place, file, repairs, below, settings);
     Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron, file});
     if (const std::string text = repairs.text(); !text.empty())
         warn(call, "gr_mesh: " + std::string(textOf(path)) + ": \"" + file + "\": " + text);
@@ -180,7 +183,7 @@ constexpr std::array<Command, 9> rows{{
      "makes a plane without end through {x y z} across the normal; without the tail, y = 0 facing +y"},
     {"gr_polyhedron", "", "pname name {{x y z} ...} {{i j k ...} ...}", 4, 4, makePolyhedron,
      "makes a polygon mesh: vertices, then faces of vertex numbers from 0; any simple polygon, concave ones too"},
-    {"gr_mesh", "", "pname name file", 3, 3, makeMesh,
+    {"gr_mesh", "", "pname name file ?option value ...?", 3, anyNumberOfWords, makeMesh,
      "makes a mesh from a file, .obj, .ply, .stl, .gltf or .glb; its path is relative to the script's folder"},
 }};
 
@@ -197,6 +200,10 @@ static_assert(haveAllRows(std::type_identity<gr::ShapeNodes>()), "a shape of the
 
 std::span<const Command> shapeCommands() {
     return rows;
+}
+
+std::string meshOptionsHelp() {
+    return optionsHelp(gr::MeshSettings::options());
 }
 
 }  // namespace grsh

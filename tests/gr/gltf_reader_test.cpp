@@ -45,8 +45,8 @@ TEST_F(GltfReaderTest, ReadsATriangle) {
 }
 
 TEST_F(GltfReaderTest, TellsWhatIsNoGltf) {
-    EXPECT_EQ(reasonOf(""), "it is not whole JSON text: line 1, column 1 cannot be");
-    EXPECT_EQ(reasonOf("{\"asset\":\n  {x}}"), "it is not whole JSON text: line 2, column 4 cannot be");
+    EXPECT_EQ(reasonOf(""), "it is not whole JSON text: it goes wrong at line 1, column 1");
+    EXPECT_EQ(reasonOf("{\"asset\":\n  {x}}"), "it is not whole JSON text: it goes wrong at line 2, column 4");
     EXPECT_EQ(reasonOf("[]"), "its JSON is not an object");
     EXPECT_EQ(reasonOf("{}"), "it has no \"asset\", as a glTF 2 file does");
     EXPECT_EQ(reasonOf(R"({"asset":{"version":"1.1"}})"), "it is glTF 1, and only glTF 2 is read");

@@ -7,6 +7,9 @@
 #include "gr/scene.h"
 #include "support/test_random.h"
 
+#include <fcntl.h>
+
+#include <map>
 #include <thread>
 
 namespace gr {
@@ -100,7 +103,9 @@ TEST_F(MeshFileTest, VerticesAtOnePlaceAreOne) {
         if (i % 3 == 2)
             text += "f " + std::to_string(i - 1) + " " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
     }
-    const FlatMesh mesh = importMesh(folder.write("a.obj", text), repairs);
+    const core::Descriptor file(open(folder.write("a.obj", text).c_str(), O_RDONLY)),
+        below(open(std::string(folder / "").c_str(), O_PATH | O_DIRECTORY));
+    const FlatMesh mesh = importMesh(file.number(), ".obj", below.number(), repairs).mesh;
     EXPECT_EQ(mesh.vertices.size(), 12u);
     ASSERT_EQ(mesh.corners.size(), places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -205,58 +210,83 @@ TEST_F(MeshFileTest, FilesThatCannotBeRead) {
     for (const char* name : {"a.obj", "a.ply", "a.stl", "a.gltf", "a.glb"}) EXPECT_EQ(reason(name, ""), "it is empty");
 }
 
-TEST_F(MeshFileTest, BrokenObj) {
-    EXPECT_EQ(reason("a.obj", blockObj() + "f 1 2 9\n"), "OBJ: vertex index out of range");
-    EXPECT_EQ(reason("a.obj", blockObj() + "f 0 1 2\n"), "OBJ: Invalid face index");
-    EXPECT_EQ(reason("a.obj", "# nothing at all here\n"), "it has no faces");
-    EXPECT_EQ(reason("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "it has no faces");
+TEST_F(MeshFileTest, ABrokenFileIsToldByItsReader) {
+    EXPECT_EQ(reason("a.obj", blockObj() + "f 1 2 9\n"), "line 15: a face names vertex 9 of 8");
     EXPECT_EQ(reason("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "no face has an area");
-    EXPECT_EQ(reason("a.obj", blockObj().substr(0, blockObj().size() - 5)), "its last line is cut off");
-    for (const char* number : {"nan", "1e19", "-1e300"})
-        EXPECT_EQ(reason("a.obj", "v 0 0 " + std::string(number) + "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-                  "a coordinate is not a number from -1e+18 to 1e+18");
+    EXPECT_EQ(reason("a.ply", blockPly().substr(0, 60)), "its header has no end");
+    EXPECT_EQ(reason("a.ply", blockObj()), "it does not begin with a line \"ply\"");
+    EXPECT_EQ(reason("a.stl", blockStl().substr(0, 400)), "it has no line \"endsolid\": its end is missing");
+    EXPECT_EQ(reason("a.glb", blockGlb().substr(0, 20)), "it is cut off: it says that it has 932 bytes and has 20");
+    EXPECT_EQ(reason("a.gltf", blockGltf(R"([{"mesh":7}])", "")), "its node 0 names mesh 7 of 1");
 }
 
-TEST_F(MeshFileTest, BrokenPly) {
-    const std::string good = blockBinaryPly(), announced = plyHeader("ascii", "1000000000", "6");
+// What it announces is compared with what it holds before memory is asked for.
+TEST_F(MeshFileTest, AFileThatAnnouncesTooMuchIsRefused) {
+    const std::string announced = plyHeader("ascii", "1000000000", "6");
     EXPECT_EQ(reason("a.ply", announced + "0 0 0\n"), "it announces 1000000000 vertex elements and ends after 1");
     EXPECT_EQ(reason("a.ply", plyHeader("binary_big_endian", "1", "1000000000") + bytesOf(0, 0, 0)),
               "it announces 1000000000 face elements and ends after 0");
-    EXPECT_EQ(reason("a.ply", good.substr(0, good.size() - 1)), "it announces 6 face elements and ends after 5");
-    EXPECT_EQ(reason("a.ply", good.substr(0, good.size() - 4) + bytesOf(77)), "a face names vertex 77 of 8");
-    EXPECT_EQ(reason("a.ply", good.substr(0, good.size() - 4) + bytesOf(-5)), "a face names vertex -5 of 8");
-    EXPECT_EQ(reason("a.ply", blockObj()), "it does not begin with a line \"ply\"");
-    EXPECT_EQ(reason("a.ply", good.substr(0, 60)), "its header has no end");
-    EXPECT_EQ(reason("a.ply", plyHeader("utf8", "8", "6")),
-              "its format is \"utf8\", not ascii, binary_little_endian or binary_big_endian");
-    EXPECT_EQ(reason("a.ply", plyHeader("ascii", "-8", "6")),
-              "its number of vertex elements is \"-8\", not a whole number");
+    EXPECT_EQ(reason("a.stl", blockBinaryStl().substr(0, 80) + bytesOf(1000000000)),
+              "it announces 1000000000 triangles, which take 50000000084 bytes, and has 84");
 }
 
-TEST_F(MeshFileTest, BrokenStl) {
-    const std::string good = blockBinaryStl();
-    EXPECT_EQ(reason("a.stl", good.substr(0, 80) + bytesOf(1000000000) + good.substr(84)),
-              "it announces 1000000000 triangles, which take 50000000084 bytes, and has 684");
-    EXPECT_EQ(reason("a.stl", good.substr(0, 84)), "it announces 12 triangles, which take 684 bytes, and has 84");
-    EXPECT_EQ(reason("a.stl", good.substr(0, 80) + bytesOf(0)), "it has no faces");
-    EXPECT_EQ(reason("a.stl", "abc"), "it is shorter than the header of an STL file");
-    EXPECT_EQ(reason("a.stl", blockStl().substr(0, 400)), "it has no line \"endsolid\": its end is missing");
-}
-
-TEST_F(MeshFileTest, BrokenGltf) {
-    const std::string mesh = R"([{"mesh":0}])", uri = R"(,"uri":"block.bin")";
-    EXPECT_EQ(reason("a.gltf", blockGltf(mesh, uri)), "GLTF: could not open referenced file \"block.bin\"");
+TEST_F(MeshFileTest, OtherFilesLieBelowTheirMesh) {
+    const auto gltf = [](const std::string& path) { return blockGltf(R"([{"mesh":0}])", ",\"uri\":\"" + path + "\""); };
     folder.write("block.bin", blockBuffer());
-    EXPECT_EQ(reason("a.gltf", blockGltf(mesh, uri).substr(0, 200)), "it is not a whole .gltf file");
-    EXPECT_EQ(reason("a.gltf", blockGltf(mesh, uri, 4)), "a face names a vertex that is not there");
-    EXPECT_EQ(reason("a.gltf", blockGltf(mesh, uri, 1000000000)),
-              "GLTF: Accessor with offset/length (0/4000000000) is out of range");
-    EXPECT_EQ(reason("a.gltf", blockGltf(R"([{"mesh":7}])", uri)),
-              R"(GLTF: Array index 7 is out of bounds (1) for "meshes")");
-    EXPECT_EQ(reason("a.gltf", blockGltf(R"([{"children":[0]}])", uri)),
-              R"(GLTF: Object at index 0 in array "nodes" has recursive reference to itself)");
-    EXPECT_EQ(reason("a.gltf", std::string(2000000, '[')), "the importer crashed on it");
-    EXPECT_EQ(reason("a.glb", blockGlb().substr(0, blockGlb().size() - 40)), "GLTF: Unable to read gltf file");
+    std::filesystem::create_directories(folder / "inner");
+    std::filesystem::create_symlink("../block.bin", folder / "inner/link.bin");
+    std::filesystem::create_symlink("block.bin", folder / "link.bin");
+    const std::string place = folder / "block.bin";
+    EXPECT_EQ(read("a.gltf", gltf("link.bin"))->triangleCount(), 12u);
+    EXPECT_EQ(read("a.gltf", gltf("./inner/../block.bin"))->triangleCount(), 12u);
+    EXPECT_EQ(reason("inner/a.gltf", gltf("../block.bin")),
+              "its buffer 0 is at \"../block.bin\", which is not below the file's own folder");
+    EXPECT_EQ(reason("inner/a.gltf", gltf(place)),
+              "its buffer 0 is at \"" + place + "\", which is not below the file's own folder");
+    EXPECT_EQ(reason("inner/a.gltf", gltf("link.bin")),
+              "its buffer 0: the file \"link.bin\" leads out of the mesh's own folder");
+    EXPECT_EQ(reason("a.gltf", gltf("none.bin")),
+              "its buffer 0: the file \"none.bin\" cannot be read: no such file or directory");
+}
+
+TEST_F(MeshFileTest, AFileWhoseBufferHasChangedIsReadAgain) {
+    folder.write("block.bin", blockBuffer());
+    const std::string gltf = blockGltf(R"([{"mesh":0}])", R"(,"uri":"block.bin")");
+    const auto first = read("a.gltf", gltf);
+    EXPECT_EQ(files.read(folder / "a.gltf", "a.gltf", repairs), first);
+    std::string doubled = blockBuffer();
+    const float two = 2;
+    for (const std::size_t x : {12, 24, 60, 72}) doubled.replace(x, sizeof two, bytesOf(two));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    folder.write("block.bin", doubled);
+    const auto second = files.read(folder / "a.gltf", "a.gltf", repairs);
+    EXPECT_EQ(first->bounds().high.x, 1);
+    EXPECT_EQ(second->bounds().high.x, 2);
+}
+
+TEST_F(MeshFileTest, KeepsWhatTheFileKnows) {
+    // The second face is turned, the third one dropped: what they have goes with them.
+    const auto mesh = read("a.obj",
+                           "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                           "o left\nusemtl red\nf 1/1 2/2 3/3\no none\nf 1 1 2\no right\nusemtl blue\nf 3/3 1/1 4/4\n"
+                           "f 5/1 7/2 6/3\nv 0 0 9\nv 1 0 9\nv 0 1 9\n");
+    ASSERT_EQ(mesh->triangleCount(), 3u);
+    EXPECT_EQ(mesh->groups().size(), 3u);
+    EXPECT_EQ(mesh->groups()[0], (MeshGroup{"left", "red"}));
+    EXPECT_EQ(mesh->groups()[2], (MeshGroup{"right", "blue"}));
+    const std::map<std::pair<float, float>, core::Vec2f> uvAt{
+        {{0, 0}, {0, 0}}, {{1, 0}, {1, 0}}, {{1, 1}, {1, 1}}, {{0, 1}, {0, 1}}};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const bool isFar = mesh->vertex(i, 0).z == 9;
+        for (int k = 0; k < 3 && !isFar; ++k) {
+            const core::Vec3f v = mesh->vertex(i, k);
+            EXPECT_EQ(mesh->uvs()[3 * i + static_cast<unsigned>(k)], uvAt.at({v.x, v.y}));
+            const core::Rgbf colour = v.y == 0 ? core::Rgbf(v.x == 0, v.x == 1, 0) : core::Rgbf(v.x == 0, v.x == 0, 1);
+            EXPECT_EQ(mesh->colours()[3 * i + static_cast<unsigned>(k)], colour);
+        }
+        const bool isLeft = !isFar && mesh->vertex(i, 0).y + mesh->vertex(i, 1).y + mesh->vertex(i, 2).y == 1;
+        EXPECT_EQ(mesh->groupOf()[i], isLeft ? 0u : 2u);
+    }
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 root=${BASH_SOURCE[0]%/tools/lib/*}
 packages=(g++ cmake ninja-build tcl-dev libglm-dev libxsimd-dev libtbb-dev libembree-dev libpng-dev zlib1g-dev libopenexr-dev
-    libassimp-dev)
+    nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev)
 
 # All set-up output goes to standard error: standard output belongs to what the tool runs.
 say() { echo "tools/${0##*/}: $*" >&2; }

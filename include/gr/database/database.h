@@ -58,8 +58,8 @@ public:
     void checkNew(std::string_view parent, std::string_view name) const;
     // The polyhedron in a mesh file; see MeshFiles.
     std::shared_ptr<const Polyhedron> readMesh(const std::string& path, std::string_view name, MeshRepairs& repairs,
-                                               const core::Folder* below = nullptr) {
-        return meshFiles_.read(path, name, repairs, below);
+                                               const core::Folder* below = nullptr, const MeshSettings& settings = {}) {
+        return meshFiles_.read(path, name, repairs, below, settings);
     }
     std::size_t nodeCount() const { return index_.size() + 1; }
     // Takes time in proportion to the number of nodes.

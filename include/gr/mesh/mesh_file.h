@@ -2,11 +2,19 @@
 #pragma once
 
 #include "core/open_below.h"
+#include "core/option.h"
 #include "gr/mesh/mesh_import.h"
 
 #include <unordered_map>
 
 namespace gr {
+
+// What gr_mesh is asked for: one row each.
+struct MeshSettings {
+    double smooth = 0;  // degrees
+
+    static std::span<const core::OptionRow<MeshSettings>> options();
+};
 
 // The meshes that were read. A file that is read again is the same polyhedron, as long as that is used and neither the
 // file nor one that it names has changed.
@@ -16,7 +24,7 @@ public:
     // repairs: what was mended, where the file is not read for the first time nothing. below: where it lies, and all
     // that it names; null: anywhere.
     std::shared_ptr<const Polyhedron> read(const std::string& path, std::string_view name, MeshRepairs& repairs,
-                                           const core::Folder* below = nullptr);
+                                           const core::Folder* below = nullptr, const MeshSettings& settings = {});
     // Allocated for what is known of the files, without the polyhedra.
     std::size_t bytes() const;
 
@@ -26,7 +34,8 @@ private:
         std::int64_t size, changed;  // changed: when, in nanoseconds
         std::vector<NamedFile> named;
     };
-    std::unordered_map<std::string, Entry> entries_;  // by the files' own paths, without links
+    // By what becomes of a file, and its own path, without links.
+    std::unordered_map<std::string, Entry> entries_;
 };
 
 }  // namespace gr

@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "core/option.h"
 #include "gr/database/database.h"
 
@@ -6,6 +7,18 @@
 
 namespace gr {
 namespace {
+
+// What a mesh has beside its triangles.
+std::string knownOf(const Polyhedron& mesh) {
+    std::vector<std::string> parts;
+    if (mesh.hasNormals()) parts.push_back("normals");
+    if (!mesh.uvs().empty()) parts.push_back("uv");
+    if (!mesh.colours().empty()) parts.push_back("colours");
+    if (!mesh.groups().empty())
+        parts.push_back(std::to_string(mesh.groups().size()) + (mesh.groups().size() == 1 ? " group" : " groups"));
+    const std::vector<std::string_view> words(parts.begin(), parts.end());
+    return parts.empty() ? "" : " with " + core::listed(words, "and");
+}
 
 // Behind the node's name.
 struct ContentText {
@@ -16,7 +29,8 @@ struct ContentText {
     }
     std::string operator()(const PolyhedronNode& node) const {
         const std::string what = node.file.empty() ? "polyhedron" : "mesh \"" + node.file + "\"";
-        return what + " of " + std::to_string(node.polyhedron->triangleCount()) + " triangles";
+        return what + " of " + std::to_string(node.polyhedron->triangleCount()) + " triangles" +
+               knownOf(*node.polyhedron);
     }
     std::string operator()(const AreaLightNode& light) const {
         return "area light {" + core::optionText(light.radiance) + "} " + nodeText(light.centre, light.size);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
@@ -84,14 +85,26 @@ std::string withoutLinks(const std::string& path) {
     return real ? real.get() : path;
 }
 
+constexpr std::array<core::OptionRow<MeshSettings>, 1> rows{{
+    {.name = "smooth",
+     .member = &MeshSettings::smooth,
+     .range = {.least = 0, .most = 180},
+     .unit = "degrees",
+     .help = "where the file has no normals, edges flatter than this are rounded for shading"},
+}};
+
 }  // namespace
 
+std::span<const core::OptionRow<MeshSettings>> MeshSettings::options() {
+    return rows;
+}
+
 std::shared_ptr<const Polyhedron> MeshFiles::read(const std::string& path, std::string_view name, MeshRepairs& repairs,
-                                                  const core::Folder* below) {
+                                                  const core::Folder* below, const MeshSettings& settings) {
     try {
         const std::string ending = endingOf(path);
         const OpenMesh open(path, below);
-        Entry& entry = entries_[withoutLinks(path)];
+        Entry& entry = entries_[core::numberText(settings.smooth) + ' ' + withoutLinks(path)];
         std::shared_ptr<const Polyhedron> polyhedron = entry.polyhedron.lock();
         const bool isSame = entry.size == open.status.st_size && entry.changed == changeOf(open.status) &&
                             areUnchanged(entry.named, open.folder.number());

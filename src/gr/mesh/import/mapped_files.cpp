@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 
@@ -31,7 +32,9 @@ std::string_view FilesBelow::bytesOf(const std::string& path) {
         if (file.name == path) return file.bytes();
     const core::Descriptor descriptor = core::openFileBelow(folder_, path);
     if (!descriptor.isOpen()) {
-        const bool leadsOut = errno == EXDEV;
+        const bool leadsOut = errno == EXDEV || errno == ELOOP;
+        std::string reason = std::strerror(errno);
+        reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
         throw Failure(
             "the file \"" + path + "\" " +
             (leadsOut ? "leads out of the mesh's own folder" : std::string("cannot be read: ") + std::strerror(errno)));

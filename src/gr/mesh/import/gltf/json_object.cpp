@@ -46,7 +46,7 @@ json parseJson(std::string_view text) {
     try {
         return json::parse(text.begin(), text.end());
     } catch (const json::parse_error& error) {
-        throw Failure("it is not whole JSON text: " + whereIn(text, error.byte) + " cannot be");
+        throw Failure("it is not whole JSON text: it goes wrong at " + whereIn(text, error.byte));
     } catch (const json::out_of_range&) {
         throw Failure("its JSON has a number that is too large for any computer number");
     }
