@@ -1,6 +1,4 @@
 // What is said of shapes that are too small for how far away they are.
-// Seen to fail with the grid measured against the distance, with the first shape named and not the worst, with
-// endless planes counted, and with places measured from the world's origin.
 #include "gr/database/database.h"
 #include "gr/random_shapes.h"
 #include "gr/scene.h"

@@ -1,6 +1,6 @@
 // Outlines of very many corners, and whether what is found quickly is what is found slowly.
-// Seen to fail with corners in the way that are never asked again, with corners taken out of the tree too early, with a
-// tree that looks at one half only, and with a sweep that does not look at the neighbours of an edge that ends.
+// Seen to fail with corners taken out of the tree too early, and with a sweep that does not look at the neighbours of
+// an edge that ends.
 #include "gr/mesh/mesh_repair.h"
 #include "gr/mesh/outline.h"
 
@@ -177,6 +177,30 @@ TEST(LargeOutline, ThatCrossesItselfIsFound) {
         Outline figure = turned(comb(4000, 1), angle);
         std::swap(figure[1500], figure[2501]);
         EXPECT_TRUE(crossesItself(figure)) << angle;
+    }
+}
+
+// The two edges that cross have a dent between them until it ends.
+TEST(LargeOutline, ThatCrossesItselfBehindADentIsFound) {
+    Outline outline{{0, 10}, {0, 6}, {5, 5}, {0, 4}, {0, 0}};
+    for (int i = 0; i <= 40; ++i) outline.emplace_back(20, 10 - 0.25 * i);
+    EXPECT_TRUE(crossesItself(outline));
+    outline[2] = {15, 5};
+    EXPECT_TRUE(crossesItself(outline));
+}
+
+// Heights of a few whole numbers: many corners just touch the triangles of others.
+TEST(LargeOutline, MayBeACastle) {
+    std::mt19937 random(5);
+    for (int trial = 0; trial < 500; ++trial) {
+        const int width = 20 + static_cast<int>(random() % 80);
+        Outline outline{{0, 0}, {width, 0}};
+        for (int x = width; x > 0; --x) {
+            const double height = 1 + random() % 4;
+            if (outline.back() != glm::dvec2(x, height)) outline.emplace_back(x, height);
+            outline.emplace_back(x - 1, height);
+        }
+        expectCut(outline, "castle " + std::to_string(trial));
     }
 }
 

@@ -1,5 +1,5 @@
 // Normals that are made from faces.
-// Seen to fail with faces that count by their area or all alike, with the wrong side of dented corners, with every edge
+// Seen to fail with faces that all count alike, with the wrong side of dented corners, with every edge
 // smooth or sharp, and with edges that three faces share.
 #include "gr/mesh/mesh_smooth.h"
 
