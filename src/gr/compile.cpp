@@ -2,6 +2,7 @@
 #include "gr/contacts.h"
 #include "gr/database/database.h"
 #include "gr/database/object_count.h"
+#include "gr/far_places.h"
 #include "gr/flush.h"
 #include "gr/many_rays.h"
 #include "gr/near_origin.h"
@@ -48,8 +49,10 @@ public:
     }
     // Of what was compiled: the lamps,
     std::span<const Lamp> lamps() const { return lamps_; }
-    // and what may have gaps too narrow for single precision.
+    // what may have gaps too narrow for single precision,
     std::span<const FlatObject> flatObjects() const { return flat_; }
+    // and what stands too far away for it.
+    const FarPlaces& farPlaces() const { return far_; }
 
 private:
     // A node still to be looked at, with what comes from above.
@@ -115,6 +118,7 @@ private:
         const auto [entry, isNew] = materialIndex_.try_emplace(material, scene_.materials.size());
         if (isNew) addMaterial(material != nullptr ? material->material : materials::Material{});
         instance.material = entry->second;
+        far_.note(node, instance.shape, place);
         if (hasInteriors_ && flat_.size() < mostFlatObjects && hasFlatSides(instance.shape))
             flat_.push_back({static_cast<std::uint32_t>(scene_.instances.size() - 1), place, &node});
     }
@@ -129,6 +133,7 @@ private:
     Scene scene_;
     std::vector<Lamp> lamps_;
     std::vector<FlatObject> flat_;
+    FarPlaces far_;
     std::vector<Visit> open_;
     std::unordered_map<const NamedMaterial*, std::uint32_t> materialIndex_;
     std::unordered_set<const Polyhedron*> polyhedra_;
@@ -167,6 +172,8 @@ Scene compile(const Database& database, std::string_view path, std::span<const s
         scene = compiler.emplace(objects, database.hasInteriors()).compile(top, origin);
         boxes = boundsOf(scene);
     }
+    if (const std::string warning = compiler->farPlaces().warning(scene.origin); !warning.empty())
+        scene.warnings.push_back(warning);
     const std::vector<Contact> contacts = contactsOf(scene, compiler->flatObjects(), boxes);
     for (const Contact& contact : contacts)
         if (const std::string warning = contact.warning(); !warning.empty() && scene.warnings.size() < mostWarnings)

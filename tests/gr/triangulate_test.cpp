@@ -193,6 +193,70 @@ TEST(Triangulate, QuadsThatAreNotQuiteFlat) {
     }
 }
 
+// Folded, steep, or seen to cross itself from wherever: four corners that are not in a plane make two triangles.
+TEST(Triangulate, QuadsThatAreFarFromFlat) {
+    const auto cut = [](const std::vector<glm::dvec3>& vertices) { return triangulate({vertices, {{0, 1, 2, 3}}}); };
+    using Triangles = std::vector<glm::ivec3>;
+    const Triangles across13{{3, 0, 1}, {3, 1, 2}}, across02{{0, 1, 2}, {0, 2, 3}};
+    EXPECT_EQ(cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5, 0.5, 1}}), across13) << "folded";
+    EXPECT_EQ(cut({{0, 0, 0}, {0, 1, 5}, {1, 1, 0.5}, {1, 0, 9}}), across13) << "steep";
+    EXPECT_EQ(cut({{1, 0, 9}, {0, 0, 0}, {0, 1, 5}, {1, 1, 0.5}}), across02) << "steep, from another corner";
+    EXPECT_EQ(cut({{0, 0, 0}, {4, 0, 0}, {1, 1, 1}, {3, 2, 0}}), across02) << "a bow tie, by its shorter diagonal";
+    EXPECT_EQ(cut({{3, 2, 0}, {0, 0, 0}, {4, 0, 0}, {1, 1, 1}}), across13) << "likewise";
+}
+
+TEST(Triangulate, AnyFourCornersThatAreNotInAPlane) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    int hidden = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        PolygonMesh mesh{{}, {{0, 1, 2, 3}}};
+        for (int i = 0; i < 4; ++i)
+            mesh.vertices.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+        const auto triangles = triangulate(mesh);
+        ASSERT_EQ(triangles.size(), 2u);
+        const glm::dvec3 whole = faceNormal(mesh, mesh.faces[0]);
+        const glm::dvec3 first = faceNormal(mesh, corners(triangles[0])),
+                         second = faceNormal(mesh, corners(triangles[1]));
+        EXPECT_LT(glm::distance(first + second, whole), 1e-12);
+        hidden += glm::dot(first, whole) <= 0 || glm::dot(second, whole) <= 0;
+    }
+    EXPECT_GT(hidden, 20);
+    EXPECT_LT(hidden, 1000);
+}
+
+// What a file's digits leave of a plane is still one.
+TEST(Triangulate, ABowTieThatIsNotQuiteFlatIsRefused) {
+    for (const double lift : {1e-12, 1e-7}) {
+        PolygonMesh mesh = faceOf({{0, 0}, {4, 0}, {1, 1}, {3, 2}});
+        mesh.vertices[2].z += lift;
+        EXPECT_EQ(errorOf([&] { triangulate(mesh); }), crossing("0 1 2 3"));
+    }
+}
+
+// Seen along the axis that their normal is nearest to they cross themselves: the first two do not along the normal, the
+// others from the side.
+TEST(Triangulate, PolygonsThatAreFarFromFlat) {
+    const std::vector<std::vector<glm::dvec3>> outlines{{{3, 3, 2}, {3, 0, 1}, {2, 1, 4}, {0, 3, 1}, {4, 2, 4}},
+                                                        {{2, 0, 2}, {1, 1, 0}, {0, 1, 3}, {2, 3, 1}, {1, 3, 3}},
+                                                        {{0, 0, 2}, {4, 2, 1}, {1, 3, 2}, {3, 0, 3}, {3, 4, 4}},
+                                                        {{2, 0, 1}, {4, 1, 4}, {2, 1, 2}, {3, 0, 3}, {2, 3, 2}}};
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        const PolygonMesh mesh{outlines[i], {{0, 1, 2, 3, 4}}};
+        const auto triangles = triangulate(mesh);
+        ASSERT_EQ(triangles.size(), 3u) << i;
+        glm::dvec3 sum(0);
+        for (const glm::ivec3& triangle : triangles) {
+            const glm::dvec3 normal = faceNormal(mesh, corners(triangle));
+            if (i < 2) {
+                EXPECT_GT(glm::dot(normal, faceNormal(mesh, mesh.faces[0])), 0);
+            }
+            sum += normal;
+        }
+        EXPECT_LT(glm::distance(sum, faceNormal(mesh, mesh.faces[0])), 1e-12);
+    }
+}
+
 TEST(Triangulate, EveryFaceOfAMesh) {
     PolygonMesh mesh = faceOf({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
     mesh.faces = {{0, 1, 2, 3}, {0, 1, 2}, {3, 2, 1, 0}};

@@ -91,8 +91,8 @@ public:
     // mesh: indices within range, finite coordinates, at least three indices to a face.
     static std::shared_ptr<const Polyhedron> make(const PolygonMesh& mesh, MeshRepairs& repairs);
     // The same for a mesh from elsewhere: no two of its vertices are at one place, and a face that is not simple is
-    // dropped.
-    static std::shared_ptr<const Polyhedron> make(FlatMesh mesh, MeshRepairs& repairs);
+    // dropped. One without normals gets some, where its faces' differ by less than smoothDegrees (smoothNormals).
+    static std::shared_ptr<const Polyhedron> make(FlatMesh mesh, MeshRepairs& repairs, double smoothDegrees = 0);
 
     // Replaces `nearest` by the hit of a triangle that comes before it. instance: what stands here for the polyhedron.
     void intersect(const PackRay& ray, std::uint32_t instance, Hit& nearest) const;

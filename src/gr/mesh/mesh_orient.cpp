@@ -1,96 +1,13 @@
 // Which way faces face.
 #include "gr/mesh/mesh_repair.h"
-#include "gr/mesh/parts.h"
+#include "gr/mesh/neighbours.h"
+#include "gr/mesh/nesting.h"
 
 #include <algorithm>
-#include <memory>
 #include <numeric>
 
 namespace gr {
 namespace {
-
-// For each edge of each face, the face beyond it. An edge has a place in FlatMesh::corners: where it starts.
-class Neighbours {
-public:
-    static constexpr int none = -1;  // the edge belongs to one face only, or to more than two
-
-    explicit Neighbours(const FlatMesh& mesh)
-        : beyond_(std::make_unique_for_overwrite<int[]>(mesh.corners.size())), starts_(mesh.vertices.size() + 1) {
-        collect(mesh);
-        inParts(mesh.faceCount(), [&](int first, int end) {
-            for (int f = first; f < end; ++f)
-                forEachEdge(mesh, f, [&](int place, int a, int b) { beyond_[place] = find(f, a, b); });
-        });
-        starts_ = {};
-        edges_.reset();
-    }
-
-    int face(int place) const { return beyond_[place] >> 1; }
-    // Whether both faces run along the edge in the same way: then one of them is the wrong way round.
-    bool runsAlike(int place) const { return (beyond_[place] & 1) != 0; }
-
-private:
-    // An edge of a face, kept with the vertex that it starts from.
-    struct Edge {
-        int to;
-        int face;
-        bool operator<(const Edge& other) const { return to != other.to ? to < other.to : face < other.face; }
-    };
-
-    template<class Function>
-    static void forEachEdge(const FlatMesh& mesh, int f, Function&& function) {
-        const int begin = mesh.begin(f), end = mesh.end(f);
-        for (int i = begin; i < end; ++i) function(i, mesh.corners[i], mesh.corners[i + 1 < end ? i + 1 : begin]);
-    }
-
-    // Sorts the edges by where they start; where many do, as at the tip of a cone, by where they go as well.
-    void collect(const FlatMesh& mesh) {
-        for (const int a : mesh.corners) ++starts_[a];
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-        edges_ = std::make_unique_for_overwrite<Edge[]>(mesh.corners.size());
-        // Filled from behind, which leaves in starts_ where each vertex's edges start.
-        for (int f = 0; f < mesh.faceCount(); ++f)
-            forEachEdge(mesh, f, [&](int, int a, int b) { edges_[--starts_[a]] = {b, f}; });
-        inParts(static_cast<int>(mesh.vertices.size()), [&](int first, int end) {
-            for (int a = first; a < end; ++a)
-                if (starts_[a + 1] - starts_[a] > many) std::sort(&edges_[starts_[a]], &edges_[starts_[a + 1]]);
-        });
-    }
-
-    // Calls function(face) for the faces with an edge from a to b until it returns false.
-    template<class Function>
-    void forEachFrom(int a, int b, Function&& function) const {
-        const Edge* edge = &edges_[starts_[a]];
-        const Edge* end = &edges_[starts_[a + 1]];
-        const bool isSorted = end - edge > many;
-        if (isSorted) edge = std::lower_bound(edge, end, Edge{b, 0});
-        for (; edge != end && (!isSorted || edge->to == b); ++edge)
-            if (edge->to == b && !function(edge->face)) return;
-    }
-
-    // The face beyond the edge of face f from a to b, times two, plus one where it runs alike.
-    int find(int f, int a, int b) const {
-        int found = none, uses = 0;
-        bool isOwnSeen = false;
-        forEachFrom(a, b, [&](int face) {
-            const bool isOwn = face == f && !isOwnSeen;
-            isOwnSeen |= isOwn;
-            if (!isOwn) found = 2 * face + 1;
-            return ++uses <= 2;
-        });
-        forEachFrom(b, a, [&](int face) {
-            found = 2 * face;
-            return ++uses <= 2;
-        });
-        return uses == 2 ? found : none;
-    }
-
-    static constexpr int many = 32;
-
-    std::unique_ptr<int[]> beyond_;  // what find returns, for each place
-    std::vector<int> starts_;  // where a vertex's edges start in edges_
-    std::unique_ptr<Edge[]> edges_;
-};
 
 // Six times the volume that the faces of a closed body enclose: positive when they face outwards.
 double volume(const FlatMesh& mesh, std::span<const int> faces, const std::vector<char>& turned) {
@@ -112,40 +29,102 @@ void turn(FlatMesh& mesh, int face) {
     mesh.forEachCornerList([&](auto& list) { std::reverse(list.begin() + begin, list.begin() + end); });
 }
 
+// Lets each closed body face the right way: sets which faces have to be turned.
+class Bodies {
+public:
+    Bodies(const FlatMesh& mesh, std::vector<char>& turned) : mesh_(mesh), turned_(turned) {
+        faces_.reserve(turned.size());
+    }
+
+    // Adds the body that face `start` belongs to, seen: the faces of those so far.
+    void add(int start, const Neighbours& neighbours, std::vector<char>& seen) {
+        const std::size_t first = faces_.size();
+        const bool isClosed = walk(start, neighbours, seen);
+        const std::span<const int> body = std::span(faces_).subspan(first);
+        const auto size = static_cast<std::ptrdiff_t>(body.size());
+        const auto turned = std::count_if(body.begin(), body.end(), [&](int f) { return turned_[f] != 0; });
+        if (isClosed) {
+            const double twice = volume(mesh_, body, turned_);
+            solids_.push_back({body, std::abs(twice)});
+            isWalkedInwards_.push_back(twice < 0);
+            isFiledOutwards_.push_back(2 * (twice < 0 ? size - turned : turned) <= size);
+        } else {
+            if (2 * turned > size) invert(body);  // the fewer are wrong
+            faces_.resize(first);
+        }
+    }
+
+    // To be called once, after all were added. A body faces outwards; but if it lies in another, and the file winds it
+    // the other way round than the outermost round it, and there is something of it to be taken away, it bounds a
+    // cavity.
+    void orient() {
+        const std::vector<int> around = enclosing(mesh_, solids_);
+        std::vector<int> bySize(solids_.size());
+        std::iota(bySize.begin(), bySize.end(), 0);
+        std::stable_sort(bySize.begin(), bySize.end(),
+                         [&](int a, int b) { return solids_[a].volume > solids_[b].volume; });
+        std::vector<char> isFileInsideOut(solids_.size());
+        std::vector<int> depth(solids_.size());  // how many bodies hold what is just within, less cavities
+        for (const int solid : bySize) {
+            const int outer = around[solid];
+            const bool isFiledOutwards = isFiledOutwards_[solid] != 0;
+            isFileInsideOut[solid] = static_cast<char>(outer < 0 ? !isFiledOutwards : isFileInsideOut[outer] != 0);
+            const int within = outer < 0 ? 0 : depth[outer];
+            const bool facesOutwards = within == 0 || isFiledOutwards != (isFileInsideOut[solid] != 0);
+            depth[solid] = within + (facesOutwards ? 1 : -1);
+            if ((isWalkedInwards_[solid] != 0) == facesOutwards) invert(solids_[solid].faces);
+        }
+    }
+
+private:
+    // Appends all faces that hang together with one, turned so that they agree with it, and tells whether they close a
+    // body. Two faces agree when they run along their edge in opposite ways.
+    bool walk(int start, const Neighbours& neighbours, std::vector<char>& seen) {
+        bool isClosed = true;
+        seen[start] = 1;
+        std::size_t next = faces_.size();
+        for (faces_.push_back(start); next < faces_.size(); ++next) {
+            const int f = faces_[next];
+            for (int place = mesh_.begin(f); place < mesh_.end(f); ++place) {
+                const int other = neighbours.face(place);
+                isClosed &= other != Neighbours::none;
+                if (other == Neighbours::none || seen[other]) continue;
+                seen[other] = 1;
+                turned_[other] = static_cast<char>(neighbours.runsAlike(place) != (turned_[f] != 0));
+                faces_.push_back(other);
+            }
+        }
+        return isClosed;
+    }
+
+    void invert(std::span<const int> faces) {
+        for (const int f : faces) turned_[f] = static_cast<char>(turned_[f] == 0);
+    }
+
+    const FlatMesh& mesh_;
+    std::vector<char>& turned_;
+    std::vector<int> faces_;  // of the closed bodies; never moved
+    std::vector<Solid> solids_;
+    std::vector<char> isWalkedInwards_;  // whether one faces inwards with turned_ as the walk left it
+    std::vector<char> isFiledOutwards_;  // whether no more than half of one's faces face inwards as they came
+};
+
 }  // namespace
 
 void orientFaces(FlatMesh& mesh, MeshRepairs& repairs) {
-    const Neighbours neighbours(mesh);
     const int count = mesh.faceCount();
-    std::vector<char> seen(count, 0), turned(count, 0);
-    std::vector<int> body;
-    body.reserve(count);
-    for (int start = 0; start < count; ++start) {
-        if (seen[start]) continue;
-        // Walk over shared edges: two faces agree when they run along their edge in opposite ways.
-        body.assign(1, start);
-        bool closed = true;
-        seen[start] = 1;
-        for (std::size_t next = 0; next < body.size(); ++next) {
-            const int f = body[next];
-            for (int place = mesh.begin(f); place < mesh.end(f); ++place) {
-                const int other = neighbours.face(place);
-                closed &= other != Neighbours::none;
-                if (other == Neighbours::none || seen[other]) continue;
-                seen[other] = 1;
-                turned[other] = static_cast<char>(neighbours.runsAlike(place) != (turned[f] != 0));
-                body.push_back(other);
-            }
-        }
-        // A closed body faces outwards; of an open one the fewer faces are wrong.
-        const auto turnedCount = std::count_if(body.begin(), body.end(), [&](int f) { return turned[f]; });
-        const bool inverted =
-            closed ? volume(mesh, body, turned) < 0 : 2 * turnedCount > static_cast<std::ptrdiff_t>(body.size());
-        for (const int f : body) turned[f] = static_cast<char>((turned[f] != 0) != inverted);
+    std::vector<char> turned(count, 0);
+    {
+        const Neighbours neighbours(mesh);
+        std::vector<char> seen(count, 0);
+        Bodies bodies(mesh, turned);
+        for (int start = 0; start < count; ++start)
+            if (seen[start] == 0) bodies.add(start, neighbours, seen);
+        bodies.orient();
     }
     // Edges had to stay where they are until now.
     for (int f = 0; f < count; ++f) {
-        if (!turned[f]) continue;
+        if (turned[f] == 0) continue;
         turn(mesh, f);
         ++repairs.turnedFaces;
     }

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "gr/mesh/mesh_repair.h"
+#include "gr/mesh/mesh_smooth.h"
 #include "gr/mesh/pack.h"
 #include "gr/mesh/parts.h"
 #include "gr/mesh/triangle_order.h"
@@ -39,10 +40,11 @@ FlatMesh::FlatMesh(const PolygonMesh& mesh) : vertices(mesh.vertices) {
 
 namespace {
 
-// Mends all but vertices at one place, and cuts the faces.
-std::vector<glm::ivec3> makeTriangles(FlatMesh& mesh, Crossing crossing, MeshRepairs& repairs) {
+// Mends all but vertices at one place, smooths, and cuts the faces.
+std::vector<glm::ivec3> makeTriangles(FlatMesh& mesh, Crossing crossing, double smoothDegrees, MeshRepairs& repairs) {
     dropDegenerate(mesh, repairs);
     if (mesh.faceCount() > 0) orientFaces(mesh, repairs);
+    smoothNormals(mesh, smoothDegrees);
     std::vector<glm::ivec3> triangles = triangulate(mesh, crossing, repairs);
     if (triangles.empty()) throw core::Error("MESH", "EMPTY", "", "no face has an area");
     return triangles;
@@ -71,11 +73,13 @@ TrianglePack makePack(const FlatMesh& mesh, const glm::dvec3& origin, std::span<
 std::shared_ptr<const Polyhedron> Polyhedron::make(const PolygonMesh& given, MeshRepairs& repairs) {
     FlatMesh mesh(given);
     mergeVertices(mesh, repairs);
-    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, makeTriangles(mesh, Crossing::isAnError, repairs)));
+    return std::shared_ptr<const Polyhedron>(
+        new Polyhedron(mesh, makeTriangles(mesh, Crossing::isAnError, 0, repairs)));
 }
 
-std::shared_ptr<const Polyhedron> Polyhedron::make(FlatMesh mesh, MeshRepairs& repairs) {
-    return std::shared_ptr<const Polyhedron>(new Polyhedron(mesh, makeTriangles(mesh, Crossing::isDropped, repairs)));
+std::shared_ptr<const Polyhedron> Polyhedron::make(FlatMesh mesh, MeshRepairs& repairs, double smoothDegrees) {
+    return std::shared_ptr<const Polyhedron>(
+        new Polyhedron(mesh, makeTriangles(mesh, Crossing::isDropped, smoothDegrees, repairs)));
 }
 
 Polyhedron::Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles)

@@ -1,105 +1,113 @@
 #include "core/error.h"
 #include "gr/mesh/mesh_repair.h"
+#include "gr/mesh/outline.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gr {
 namespace {
 
-using Outline = std::vector<glm::dvec2>;  // counter-clockwise
+using Vertices = std::vector<glm::dvec3>;
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
-// Twice the area of a, b, c: positive when they turn left.
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return cross(b - a, c - a);
-}
-
-// Looks at the face along its normal's largest axis, from the side from which it runs counter-clockwise.
-Outline project(const std::vector<glm::dvec3>& vertices, std::span<const int> face, const glm::dvec3& normal) {
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-        if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
-    int x = (axis + 1) % 3, y = (axis + 2) % 3;
-    if (normal[axis] < 0) std::swap(x, y);
+// A face as a picture shows it whose axes are x and y.
+Outline project(const Vertices& vertices, std::span<const int> face, const glm::dvec3& x, const glm::dvec3& y) {
     Outline outline;
-    for (const int v : face)
-        outline.emplace_back(vertices[v][x] - vertices[face[0]][x], vertices[v][y] - vertices[face[0]][y]);
+    outline.reserve(face.size());
+    for (const int v : face) {
+        const glm::dvec3 place = vertices[v] - vertices[face[0]];
+        outline.emplace_back(glm::dot(place, x), glm::dot(place, y));
+    }
     return outline;
 }
 
-bool segmentsCross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
-    return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+// Along an axis, from the side from which the face runs counter-clockwise.
+Outline projectAlongAxis(const Vertices& vertices, std::span<const int> face, const glm::dvec3& normal, int axis) {
+    glm::dvec3 x(0), y(0);
+    x[(axis + 1) % 3] = 1;
+    y[(axis + 2) % 3] = 1;
+    return normal[axis] > 0 ? project(vertices, face, x, y) : project(vertices, face, y, x);
 }
 
-// Sweeps over the edges from left to right, so that only those that overlap in x are compared.
-bool crossesItself(const Outline& outline) {
-    struct Edge {
-        glm::dvec2 a, b;
-        double left, right;
-    };
-    std::vector<Edge> edges;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const glm::dvec2 a = outline[i], b = outline[(i + 1) % outline.size()];
-        edges.push_back({a, b, std::min(a.x, b.x), std::max(a.x, b.x)});
+// Along the normal itself.
+Outline projectAlong(const Vertices& vertices, std::span<const int> face, const glm::dvec3& normal) {
+    const glm::dvec3 n = glm::normalize(normal), size = glm::abs(n);
+    glm::dvec3 least(0);
+    least[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
+    const glm::dvec3 x = glm::normalize(glm::cross(least, n));
+    return project(vertices, face, x, glm::cross(n, x));
+}
+
+// Corners that are in a line as they are seen need not be in a line: then there is a part of the face between them that
+// is seen edge-on.
+void addUpright(const Vertices& vertices, std::span<const int> face, const std::vector<int>& onLine,
+                std::vector<glm::ivec3>& triangles) {
+    for (std::size_t i = 1; i + 1 < onLine.size(); ++i) {
+        const glm::dvec3 first = vertices[face[onLine[0]]];
+        const glm::dvec3 a = vertices[face[onLine[i]]] - first, b = vertices[face[onLine[i + 1]]] - first;
+        if (glm::length(glm::cross(a, b)) > 1e-6 * glm::length(a) * glm::length(b))
+            triangles.emplace_back(onLine[0], onLine[i], onLine[i + 1]);
     }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.left < b.left; });
-    for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t j = i + 1; j < edges.size() && edges[j].left <= edges[i].right; ++j)
-            if (segmentsCross(edges[i].a, edges[i].b, edges[j].a, edges[j].b)) return true;
-    return false;
 }
 
-// Whether the triangle round corner i of what is left of the outline can be cut off: it turns left, and no other
-// corner lies in it. A corner at the same place as one of the triangle's does not count.
-bool isEar(const Outline& outline, const std::vector<int>& left, std::size_t i) {
-    const std::size_t n = left.size();
-    const glm::dvec2 a = outline[left[(i + n - 1) % n]], b = outline[left[i]], c = outline[left[(i + 1) % n]];
-    if (turn(a, b, c) <= 0) return false;
-    for (const int other : left) {
-        const glm::dvec2 p = outline[other];
-        if (p == a || p == b || p == c) continue;
-        if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
-    }
-    return true;
-}
-
-// Whether nothing with an area is left to cut off.
-bool isFlat(const Outline& outline, const std::vector<int>& left) {
-    for (std::size_t i = 1; i + 1 < left.size(); ++i)
-        if (turn(outline[left[0]], outline[left[i]], outline[left[i + 1]]) != 0) return false;
-    return true;
-}
-
-// Ear clipping (Meisters 1975: every simple outline of more than three corners has two ears). Of a
-// convex outline this makes a fan. False when there is no ear: the outline is not simple.
-bool clipEars(const Outline& outline, std::vector<glm::ivec3>& triangles) {
-    std::vector<int> left(outline.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<int>(i);
-    std::size_t at = 0, tried = 0;
-    while (left.size() >= 3) {
-        const std::size_t n = left.size();
-        at %= n;
-        if (isEar(outline, left, at)) {
-            triangles.emplace_back(left[(at + n - 1) % n], left[at], left[(at + 1) % n]);
-            left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
-            tried = 0;
-        } else if (++at, ++tried == n) {
-            return isFlat(outline, left);
-        }
-    }
-    return true;
-}
-
-// The triangles of one face as numbers of its corners. False when its outline is not simple.
-bool cut(const std::vector<glm::dvec3>& vertices, std::span<const int> face, std::vector<glm::ivec3>& triangles) {
+// The triangles of one face as numbers of its corners. False when its outline is not simple from wherever it is seen.
+// From the side of the normal's largest axis first: coordinates are as they were given from there, and corners in a
+// line are exactly in a line. The outline of a face that is not flat may cross itself from there and not along the
+// normal, or not along another axis.
+bool cutPolygon(const Vertices& vertices, std::span<const int> face, std::vector<glm::ivec3>& triangles) {
     // An outline whose areas cancel, a bow tie, has no side to be looked at from.
-    const glm::dvec3 normal = faceNormal(vertices, face);
+    const glm::dvec3 normal = faceNormal(vertices, face), size = glm::abs(normal);
     if (normal == glm::dvec3(0)) return false;
-    const Outline outline = project(vertices, face, normal);
-    return !crossesItself(outline) && clipEars(outline, triangles);
+    const auto cuts = [&](const Outline& outline) {
+        triangles.clear();
+        std::vector<int> onLine;
+        if (crossesItself(outline) || !clipEars(outline, triangles, onLine)) return false;
+        addUpright(vertices, face, onLine, triangles);
+        return true;
+    };
+    std::array axes{0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return size[i] > size[j]; });
+    // Along an axis that runs nearly in the face nothing is seen but roundings.
+    const auto cutsAlong = [&](int axis) {
+        return size[axis] > 0.01 * size[axes[0]] && cuts(projectAlongAxis(vertices, face, normal, axis));
+    };
+    return cutsAlong(axes[0]) || cuts(projectAlong(vertices, face, normal)) || cutsAlong(axes[1]) || cutsAlong(axes[2]);
+}
+
+// The ways to cut a quadrilateral: along the diagonal from corner 1 to corner 3, or from corner 0 to corner 2.
+constexpr std::array<std::array<glm::ivec3, 2>, 2> quadCuts{
+    {{glm::ivec3(3, 0, 1), glm::ivec3(3, 1, 2)}, {glm::ivec3(0, 1, 2), glm::ivec3(0, 2, 3)}}};
+
+// Whether its corners lie in a plane but for the roundings of a file: the smallest of the heights at which one lies
+// over the triangle of the others is next to nothing beside its longest side or diagonal.
+bool isFlatQuad(const std::array<glm::dvec3, 4>& v) {
+    const double sixDigits = 1e-6;
+    double area = 0, length = 0;
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec3 a = v[i], b = v[(i + 1) % 4] - a, c = v[(i + 2) % 4] - a;
+        area = std::max(area, glm::length(glm::cross(b, c)));
+        length = std::max({length, glm::length(b), glm::length(c)});
+    }
+    return std::abs(glm::dot(glm::cross(v[1] - v[0], v[2] - v[0]), v[3] - v[0])) <= sixDigits * length * area;
+}
+
+// A diagonal is right if both triangles look to the side of the whole. One that is not flat may have none: seen along
+// its normal it crosses itself, but it is a surface of two triangles nevertheless, and the shorter diagonal is taken.
+bool cutQuad(const Vertices& vertices, std::span<const int> face, std::vector<glm::ivec3>& triangles) {
+    const std::array<glm::dvec3, 4> v{vertices[face[0]], vertices[face[1]], vertices[face[2]], vertices[face[3]]};
+    const glm::dvec3 normal = faceNormal(vertices, face);
+    const auto looksAlong = [&](const glm::ivec3& t) {
+        return glm::dot(glm::cross(v[t.y] - v[t.x], v[t.z] - v[t.x]), normal) > 0;
+    };
+    const auto cut = [&](const std::array<glm::ivec3, 2>& way) { triangles.assign(way.begin(), way.end()); };
+    for (const auto& way : quadCuts) {
+        if (!looksAlong(way[0]) || !looksAlong(way[1])) continue;
+        cut(way);
+        return true;
+    }
+    if (isFlatQuad(v)) return false;
+    cut(quadCuts[glm::distance(v[1], v[3]) <= glm::distance(v[0], v[2]) ? 0 : 1]);
+    return true;
 }
 
 [[noreturn]] void throwCrossing(std::span<const int> face) {
@@ -123,11 +131,11 @@ std::vector<glm::ivec3> triangulate(const FlatMesh& mesh, Crossing crossing, Mes
             triangles.emplace_back(begin, begin + 1, begin + 2);
             continue;
         }
-        ofFace.clear();
-        if (cut(mesh.vertices, mesh.face(f), ofFace)) {
+        const std::span<const int> face = mesh.face(f);
+        if (face.size() == 4 ? cutQuad(mesh.vertices, face, ofFace) : cutPolygon(mesh.vertices, face, ofFace)) {
             for (const glm::ivec3& triangle : ofFace) triangles.push_back(triangle + begin);
         } else {
-            if (crossing == Crossing::isAnError) throwCrossing(mesh.face(f));
+            if (crossing == Crossing::isAnError) throwCrossing(face);
             ++repairs.crossingFaces;
         }
     }
