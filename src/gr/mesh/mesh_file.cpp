@@ -110,7 +110,7 @@ std::shared_ptr<const Polyhedron> MeshFiles::read(const std::string& path, std::
                             areUnchanged(entry.named, open.folder.number());
         if (polyhedron != nullptr && isSame) return polyhedron;
         ImportedMesh imported = importMesh(open.file.number(), ending, open.folder.number(), repairs);
-        polyhedron = Polyhedron::make(std::move(imported.mesh), repairs);
+        polyhedron = Polyhedron::make(std::move(imported.mesh), repairs, settings.smooth);
         entry = {polyhedron, open.status.st_size, changeOf(open.status), std::move(imported.files)};
         return polyhedron;
     } catch (const core::Error& error) {

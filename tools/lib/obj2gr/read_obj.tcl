@@ -11,7 +11,8 @@ proc obj2gr::readObj {file} {
     if {[llength [dict get $read parts]] == 0} {fail "$file: it has no faces"}
     set materials [materialsOf $file [dict get $read libraries] [dict get $read materials]]
     foreach {line key} [dict get $read leftOut] {warn "$file:$line: \"$key\" and others of its kind are left out"}
-    if {[dict get $read absent] > 0} {warn "$file: corners that name normals which are not there: [dict get $read absent]"}
+    set absent [lindex [dict get $read absent] 0]
+    if {$absent > 0} {warn "$file: corners that name normals which are not there: $absent"}
     set parts {}
     foreach {name material faces} [dict get $read parts] {
         if {$name eq ""} {set name [file rootname [file tail $file]]}

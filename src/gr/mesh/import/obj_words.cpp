@@ -75,6 +75,7 @@ void addParts(const ObjFile& file, Words& words, std::int64_t& absent) {
     int face = 0, corner = 0;
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const int end = i + 1 < groups.size() ? groups[i + 1].firstFace : mesh.faceCount();
+        if (face == end) continue;
         words.add(groups[i].name);
         words.add(groups[i].material);
         words.open();
