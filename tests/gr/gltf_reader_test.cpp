@@ -151,6 +151,12 @@ TEST_F(GltfReaderTest, BuffersMayBeLongerThanTheySay) {
     const GltfText text = triangleText();
     files["a.bin"] = text.buffer + "more";
     EXPECT_EQ(readText(text.text()).vertices, triangle);
+    // What is behind the end is in no buffer view.
+    GltfText longer = text;
+    longer.views = R"({"buffer":0,"byteLength":37})";
+    EXPECT_EQ(reasonOf(longer.text()), "its bufferView 0 has 37 bytes from byte 0 on, more than buffer 0 with its 36");
+    longer.views = R"({"buffer":0,"byteOffset":37,"byteLength":1})";
+    EXPECT_EQ(reasonOf(longer.text()), "its bufferView 0 has 1 bytes from byte 37 on, more than buffer 0 with its 36");
     files["a.bin"] = text.buffer.substr(1);
     EXPECT_EQ(reasonOf(text.text()), "its buffer 0 has 35 bytes instead of 36");
 }
