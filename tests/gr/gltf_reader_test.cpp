@@ -9,8 +9,8 @@ using importer::readGlb;
 constexpr const char* data =
     R"(,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA")";
 
-std::string padded(std::string text, char with = ' ') {
-    text.resize((text.size() + 3) / 4 * 4, with);
+std::string padded(std::string text) {
+    text.resize((text.size() + 3) / 4 * 4, ' ');
     return text;
 }
 
@@ -170,7 +170,8 @@ TEST_F(GltfReaderTest, GlbFilesHaveTheirBufferWithinOrBesideThem) {
     EXPECT_EQ(readGlb(glb(beside), others()).vertices, triangle);
     EXPECT_EQ(readGlb(glb(beside, binaryPart("other")), others()).vertices, triangle);
     EXPECT_EQ(readGlb(glb(padded(text.text(data)), binaryPart("other")), others()).vertices, triangle);
-    EXPECT_EQ(readGlb(glb(padded(beside + "x", '\0').replace(beside.size(), 1, 1, '\0')), others()).vertices, triangle);
+    // Some programs fill up with zeros.
+    EXPECT_EQ(readGlb(glb(beside + std::string(4, '\0')), others()).vertices, triangle);
 }
 
 TEST_F(GltfReaderTest, GlbTextMayHaveAnyLength) {
