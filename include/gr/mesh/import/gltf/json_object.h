@@ -9,7 +9,8 @@
 
 namespace gr::importer {
 
-// Throws Failure, with line and column, where the text is no JSON or is nested so deep that no glTF file is.
+// Throws Failure, with line and column, where the text is no JSON or is nested so deep that no glTF file is. A
+// byte order mark before it is skipped, and so are zero bytes that fill up behind it.
 nlohmann::json parseJson(std::string_view text);
 
 // Keys that are absent give nothing or what the caller names; values of another type than asked for throw Failure.

@@ -73,16 +73,11 @@ void refuseUtf16(std::string_view text) {
         throw Failure("it is UTF-16 text, and glTF's is UTF-8");
 }
 
-std::string_view withoutByteOrderMark(std::string_view text) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    return text;
-}
-
 }  // namespace
 
 GltfDocument::GltfDocument(std::string_view text) {
     refuseUtf16(text);
-    json_ = std::make_unique<nlohmann::json>(parseJson(withoutByteOrderMark(text)));
+    json_ = std::make_unique<nlohmann::json>(parseJson(text));
     root_.emplace(*json_, "");
     checkVersion(*root_);
     checkExtensions(*root_);

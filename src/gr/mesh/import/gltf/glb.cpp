@@ -46,7 +46,6 @@ GlbParts partsOfGlb(std::string_view file) {
     if (!json) throw Failure("it ends within its JSON part");
     if (json->type != "JSON") throw Failure("its first part is not its JSON");
     GlbParts parts{json->bytes, {}};
-    while (parts.json.ends_with('\0')) parts.json.remove_suffix(1);
     // The next part begins at a multiple of four bytes; some programs forget to see to that, or to count what they fill
     // in for it.
     const std::size_t aligned = (json->end + 3) / 4 * 4;
