@@ -185,7 +185,7 @@ std::string reversed(std::string bytes) {
 }
 
 TEST(PlyReader, ReadsBytesOfEitherOrderBehindEachEndOfALine) {
-    for (const std::string end : std::initializer_list<std::string>{"\n", "\r\n", "\r"}) {
+    for (const std::string& end : std::initializer_list<std::string>{"\n", "\r\n", "\r"}) {
         for (const bool isBig : {false, true}) {
             std::string header = plyHeader(isBig ? "binary_big_endian" : "binary_little_endian", "3", "1");
             for (std::size_t at = 0; (at = header.find('\n', at)) != header.npos; at += end.size())
@@ -309,7 +309,7 @@ TEST(StlReader, TakesTextInAllTheWaysOfWritingIt) {
 }
 
 TEST(StlReader, TakesBytes) {
-    for (const std::string tail : std::initializer_list<std::string>{"", "\n", "ab"}) {
+    for (const std::string& tail : std::initializer_list<std::string>{"", "\n", "ab"}) {
         for (const char* head : {" ", "solid "}) {
             std::string bytes = blockBinaryStl() + tail;
             bytes.replace(0, std::strlen(head), head);

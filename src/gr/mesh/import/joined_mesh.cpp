@@ -3,6 +3,7 @@
 #include "gr/mesh/places.h"
 #include "gr/near_origin.h"
 
+#include <algorithm>
 #include <array>
 
 namespace gr::importer {
@@ -79,6 +80,15 @@ private:
     std::array<Place, kept> recent_;
 };
 
+// Lets neighbours of one name and material be one, and drops them where that tells nothing.
+void joinGroups(std::vector<SourceGroup>& groups) {
+    const auto isSame = [](const SourceGroup& a, const SourceGroup& b) {
+        return a.name == b.name && a.material == b.material;
+    };
+    groups.erase(std::unique(groups.begin(), groups.end(), isSame), groups.end());
+    if (groups.size() == 1 && isSame(groups[0], {})) groups.clear();
+}
+
 }  // namespace
 
 JoinedMesh join(SourceMesh&& mesh) {
@@ -104,6 +114,7 @@ JoinedMesh join(SourceMesh&& mesh) {
     fill(source.normals, noNormal);
     fill(source.uvs, core::Vec2f(0));
     fill(source.colours, core::Rgbf(1));
+    joinGroups(source.groups);
     return joined;
 }
 

@@ -35,9 +35,8 @@ std::string_view FilesBelow::bytesOf(const std::string& path) {
         const bool leadsOut = errno == EXDEV || errno == ELOOP;
         std::string reason = std::strerror(errno);
         reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
-        throw Failure(
-            "the file \"" + path + "\" " +
-            (leadsOut ? "leads out of the mesh's own folder" : std::string("cannot be read: ") + std::strerror(errno)));
+        throw Failure("the file \"" + path + "\" " +
+                      (leadsOut ? "leads out of the mesh's own folder" : "cannot be read: " + reason));
     }
     return opened_.emplace_back(descriptor.number(), path).bytes();
 }

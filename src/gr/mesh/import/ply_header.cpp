@@ -67,6 +67,11 @@ PlyHeader::Format formatOf(std::string_view word) {
     return static_cast<PlyHeader::Format>(found - names.begin());
 }
 
+std::string announced(const PlyElement& element) {
+    return "it announces " + std::to_string(element.count) + " " + shown(element.name) +
+           (element.count == 1 ? " element" : " elements");
+}
+
 // Each element takes some bytes; of those with lists nobody knows yet how many more.
 void checkAnnounced(const PlyHeader& header, std::size_t size) {
     const bool isText = header.format == PlyHeader::Format::text;
@@ -75,7 +80,8 @@ void checkAnnounced(const PlyHeader& header, std::size_t size) {
         if (element.properties.empty()) throw Failure("its " + shown(element.name) + " elements have no properties");
         // The last number of a text need not have a blank behind it.
         const std::size_t most = (size + isText) / element.leastSize(isText);
-        if (element.count > most) failCutOff(element, most);
+        if (element.count > most)
+            throw Failure(announced(element) + " and has room for " + std::to_string(most) + " at the most");
         size -= element.count * element.leastSize(isText) - isText;
     }
 }
@@ -110,7 +116,8 @@ PlyHeader takePlyHeader(std::string_view& file) {
     PlyHeader header;
     while (true) {
         const std::string_view rest = lines.rest();
-        if (!lines.next(line)) throw Failure("its header has no end");
+        line = {};
+        lines.next(line);
         std::string_view words = line;
         const std::string_view keyword = takeWord(words);
         if (keyword == "end_header") {
@@ -118,6 +125,7 @@ PlyHeader takePlyHeader(std::string_view& file) {
             if (!endsInTwo && !endsInReturn && rest.substr(line.size()).starts_with("\r\n")) file.remove_prefix(1);
             break;
         }
+        if (lines.rest().empty()) throw Failure("its header has no end");
         if (keyword == "format")
             header.format = formatOf(takeWord(words));
         else if (keyword == "element")
@@ -135,8 +143,7 @@ PlyHeader takePlyHeader(std::string_view& file) {
 }
 
 void failCutOff(const PlyElement& element, std::uint64_t found) {
-    throw Failure("it announces " + std::to_string(element.count) + " " + shown(element.name) +
-                  (element.count == 1 ? " element" : " elements") + " and ends after " + std::to_string(found));
+    throw Failure(announced(element) + " and ends after " + std::to_string(found));
 }
 
 }  // namespace gr::importer
