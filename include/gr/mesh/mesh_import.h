@@ -7,19 +7,15 @@
 
 namespace gr {
 
-// What grsh_import writes to importChannel: this, and where it has failed the reason; else the vertices (three floats
-// each), the corners, the faces' ends and the corners' normals, as FlatMesh has them.
+// What grsh_import writes (core/reader_process.h): this, the vertices (three floats each), the corners, the faces' ends
+// and the corners' normals, as FlatMesh has them.
 struct ImportHeader {
-    std::uint32_t errorLength = 0;  // 0: it went well
     std::uint32_t vertices = 0;
     std::uint32_t corners = 0;
     std::uint32_t ends = 0;
     std::uint32_t normals = 0;
     std::uint32_t linesAndPoints = 0;
 };
-inline constexpr int importChannel = 3;
-// Where there is a folder that files must lie below, it is open there.
-inline constexpr int importFolder = 4;
 
 // No two of its vertices are at one place. Throws core::Error whose text is the reason. repairs: counts what is no
 // face. below: the folder that all files lie below, or null.

@@ -10,7 +10,7 @@
 namespace gr::importer {
 
 // Regular files as they are in memory. Unless others are allowed it is one file alone: no materials, no pictures. Where
-// there is a folder, open at gr::importFolder, there are none but those below it.
+// there is a folder, open at core::reader::input, there are none but those below it.
 class ReadOnlyFiles final : public Assimp::IOSystem {
 public:
     ReadOnlyFiles(std::string file, bool allowOthers, const char* below)

@@ -1,5 +1,5 @@
-// grsh_import: reads a mesh file and writes its faces to gr::importChannel; see include/gr/mesh/mesh_import.h.
-#include "gr/mesh/import/confinement.h"
+// grsh_import: reads a mesh file and writes its faces; see include/gr/mesh/mesh_import.h.
+#include "core/reader_child.h"
 #include "gr/mesh/import/read_only_files.h"
 #include "gr/mesh/import/scene_flattener.h"
 #include "gr/mesh/mesh_import.h"
@@ -9,14 +9,9 @@
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
 
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <string_view>
@@ -32,44 +27,12 @@ std::string endingOf(std::string_view file) {
     return ending;
 }
 
-void setLimit(decltype(RLIMIT_AS) resource, rlim_t most) {
-    rlimit limit{};
-    getrlimit(resource, &limit);
-    limit.rlim_cur = std::min(most, limit.rlim_max);
-    setrlimit(resource, &limit);
-}
-
-void limitResources(rlim_t megabytes, rlim_t seconds) {
-    setLimit(RLIMIT_CORE, 0);
-    setLimit(RLIMIT_CPU, seconds);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    setLimit(RLIMIT_AS, megabytes << 20);
-#else
-    (void)megabytes;
-#endif
-}
-
 // A file is what its ending says: assimp would guess among forty formats.
 void keepImportersOf(const std::string& ending, Assimp::Importer& reader) {
     for (std::size_t i = reader.GetImporterCount(); i-- > 0;) {
         const std::string endings = " " + std::string(reader.GetImporterInfo(i)->mFileExtensions) + " ";
         if (endings.find(" " + ending + " ") == std::string::npos) reader.UnregisterLoader(reader.GetImporter(i));
     }
-}
-
-void put(const void* data, std::size_t bytes) {
-    for (const char* at = static_cast<const char*>(data); bytes > 0;) {
-        const ssize_t count = write(gr::importChannel, at, bytes);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) _exit(1);
-        at += count;
-        bytes -= static_cast<std::size_t>(count);
-    }
-}
-
-template<class T>
-void put(const std::vector<T>& values) {
-    put(values.data(), values.size() * sizeof(T));
 }
 
 // assimp drops faces of glTF files that name vertices which are not there, and only its log tells.
@@ -115,33 +78,30 @@ void importFile(const std::string& file, const char* below) {
                                   .ends = size(flat.ends),
                                   .normals = size(flat.normals),
                                   .linesAndPoints = flat.linesAndPoints};
-    put(&header, sizeof header);
-    put(flat.vertices);
-    put(flat.corners);
-    put(flat.ends);
-    put(flat.normals);
-}
-
-void putError(std::string_view reason) {
-    const gr::ImportHeader header{.errorLength = static_cast<std::uint32_t>(reason.size())};
-    put(&header, sizeof header);
-    put(reason.data(), reason.size());
+    core::reader::putSuccess();
+    core::reader::put(&header, sizeof header);
+    core::reader::put(flat.vertices);
+    core::reader::put(flat.corners);
+    core::reader::put(flat.ends);
+    core::reader::put(flat.normals);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4 && argc != 5) return 2;
-    // Nobody waits for what is read here when grsh has ended.
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    limitResources(std::strtoul(argv[2], nullptr, 10), std::strtoul(argv[3], nullptr, 10));
-    if (argc == 5) gr::importer::confineTo(gr::importFolder);
+    namespace reader = core::reader;
+    // A file, and the folder that files must lie below, which is open at reader::input.
+    const int words = argc - reader::firstWord;
+    if (words != 1 && words != 2) return 2;
+    const char* const below = words == 2 ? argv[reader::firstWord + 1] : nullptr;
+    reader::begin(argv);
+    if (below != nullptr) reader::confineTo(reader::input);
     try {
-        importFile(argv[1], argv[4]);
+        importFile(argv[reader::firstWord], below);
     } catch (const std::bad_alloc&) {
-        putError("it asks for more memory than a file of its size should");
+        reader::putError("it asks for more memory than a file of its size should");
     } catch (const std::exception& error) {
-        putError(error.what());
+        reader::putError(error.what());
     }
     _exit(0);  // without giving back what is given back anyway
 }

@@ -1,6 +1,6 @@
 #include "gr/mesh/import/read_only_files.h"
 
-#include "gr/mesh/mesh_import.h"
+#include "core/reader_child.h"
 
 #include <assimp/IOStream.hpp>
 
@@ -49,7 +49,7 @@ private:
 
 core::Descriptor openBelow(const char* folder, const char* file) {
     const std::optional<std::string> rest = core::pathBelow(folder, file);
-    return rest ? core::openFileBelow(gr::importFolder, *rest) : core::Descriptor();
+    return rest ? core::openFileBelow(core::reader::input, *rest) : core::Descriptor();
 }
 
 }  // namespace
