@@ -33,6 +33,9 @@ struct Image {
     bool isPart = false;  // whether the file says where it belongs
     std::vector<ImageChannel> channels;  // all of the same kind of samples
     Metadata metadata;
+    // What light was raised to for whole numbers, as a PNG's gAMA says; 0: they went through the curve of sRGB.
+    double gamma = 0;
+    int partsLeftOut = 0;  // parts that the file has beside this one
 
     std::size_t pixels() const { return static_cast<std::size_t>(held.width) * static_cast<std::size_t>(held.height); }
     const ImageChannel* find(const std::string& name) const;  // null where there is none

@@ -47,7 +47,7 @@ public:
 
     // Throws core::Error where the file would replace that one, by whatever name;
     void checkIsNot(const FileName& input) const;
-    // and also where it has another ending.
+    // and also where it has another ending, or, for a format that is only read, one that holds no floats.
     void checkAgainst(const FileName& input) const;
 
 private:

@@ -13,8 +13,13 @@ namespace image {
 // PNG of any kind. Palettes become colours, grey of fewer than 8 bits becomes 8, a transparent colour a channel A.
 Image readPng(std::FILE* file);
 
-// OpenEXR: one part of lines, of floats; half floats become floats.
+// OpenEXR: the first part that holds a picture, of lines or tiles, in any compression; half floats become floats, and
+// luminance and chroma become colours. A program of its own reads it, grsh_exr, which stands beside this one.
 Image readExr(std::FILE* file);
+
+// Radiance's pictures, with runs of pixels, of bytes or without, from whatever corner. What EXPOSURE and COLORCORR say
+// that the numbers were multiplied by is taken back. It is not written.
+Image readHdr(std::FILE* file);
 
 // Portable float map, of three colours or of grey, of either byte order. Its scale is a factor.
 Image readPfm(std::FILE* file);

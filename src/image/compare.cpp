@@ -31,8 +31,9 @@ const std::array<core::OptionRow<CompareSettings>, 3> rows{{
     throw core::Error("COMPARE", "PICTURE", path, "cannot compare \"" + path + "\": " + why);
 }
 
-// A channel's numbers as floats; those of a PNG from 0 to 1, through the curve given.
-std::vector<float> floatsOf(const ImageChannel& channel, double (*curve)(double)) {
+// A channel's numbers as floats; whole numbers from 0 to 1, through the curve given.
+template<class Curve>
+std::vector<float> floatsOf(const ImageChannel& channel, const Curve& curve) {
     const auto convert = [&]<class Number>(const std::vector<Number>& numbers) {
         if constexpr (std::is_same_v<Number, float>) {
             return numbers;
@@ -48,11 +49,21 @@ std::vector<float> floatsOf(const ImageChannel& channel, double (*curve)(double)
     return std::visit(convert, channel.samples);
 }
 
-void checkOpaque(const Image& image, const std::string& path) {
+void checkFinite(const Image& image, const std::vector<float>& numbers, const std::string& path) {
+    const auto bad = std::ranges::find_if(numbers, [](float x) { return !std::isfinite(x); });
+    if (bad == numbers.end()) return;
+    const std::size_t i = static_cast<std::size_t>(bad - numbers.begin()),
+                      width = static_cast<std::size_t>(image.held.width);
+    fail(path, "its pixel " + std::to_string(i % width) + " " + std::to_string(i / width) + " is not finite");
+}
+
+// Empty where all pixels are covered wholly.
+std::vector<float> coverageOf(const Image& image, const std::string& path) {
     const ImageChannel* alpha = image.find("A");
-    if (alpha == nullptr) return;
-    for (const float coverage : floatsOf(*alpha, [](double x) { return x; }))
-        if (coverage != 1) fail(path, "it is transparent in places");
+    if (alpha == nullptr) return {};
+    std::vector<float> coverage = floatsOf(*alpha, [](double x) { return x; });
+    checkFinite(image, coverage, path);
+    return std::ranges::all_of(coverage, [](float x) { return x == 1; }) ? std::vector<float>() : coverage;
 }
 
 double squared(double x) {
@@ -70,21 +81,19 @@ std::span<const core::OptionRow<CompareSettings>> CompareSettings::options() {
 }
 
 Colours coloursOf(const Image& image, const std::string& path) {
-    checkOpaque(image, path);
     const bool isGrey = image.find("R") == nullptr && image.find("Y") != nullptr;
-    Colours colours{image.held.width, image.held.height, std::vector<core::Rgbf>(image.pixels())};
+    Colours colours{image.held.width, image.held.height, std::vector<core::Rgbf>(image.pixels()),
+                    coverageOf(image, path)};
     for (int c = 0; c < 3; ++c) {
         const ImageChannel* channel = image.find(isGrey ? "Y" : std::string(1, "RGB"[c]));
         if (channel == nullptr) fail(path, "it has the channels " + image.channelNames() + ", not R, G and B");
-        const std::vector<float> numbers = floatsOf(*channel, decodeSrgb);
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            if (!std::isfinite(numbers[i])) {
-                const std::size_t width = static_cast<std::size_t>(image.held.width);
-                fail(path,
-                     "its pixel " + std::to_string(i % width) + " " + std::to_string(i / width) + " is not finite");
-            }
-            colours.pixels[i][c] = numbers[i];
-        }
+        const std::vector<float> numbers = floatsOf(
+            *channel, [&](double x) { return image.gamma == 0 ? decodeSrgb(x) : std::pow(x, 1 / image.gamma); });
+        checkFinite(image, numbers, path);
+        // A PNG's colours are those of the pixel where it is covered; an OpenEXR file's already are what shows.
+        const bool isWhatShows = std::holds_alternative<std::vector<float>>(channel->samples);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            colours.pixels[i][c] = isWhatShows ? numbers[i] : numbers[i] * colours.coverageAt(i);
     }
     return colours;
 }
@@ -92,19 +101,25 @@ Colours coloursOf(const Image& image, const std::string& path) {
 Comparison compare(const Colours& a, const Colours& b) {
     Comparison result;
     double shownError = 0;
+    const auto add = [&](double x, double reference, std::size_t i) {
+        const double difference = std::abs(x - reference);
+        result.mse += squared(difference);
+        result.relmse += squared(difference) / (squared(reference) + 0.01);
+        if (difference <= result.largest) return difference;
+        result.largest = difference;
+        result.x = static_cast<int>(i % static_cast<std::size_t>(a.width));
+        result.y = static_cast<int>(i / static_cast<std::size_t>(a.width));
+        return difference;
+    };
+    const bool hasCoverage = !a.coverage.empty() || !b.coverage.empty();
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
-            const double reference = b.pixels[i][c], difference = std::abs(a.pixels[i][c] - reference);
-            result.mse += squared(difference);
-            result.relmse += squared(difference) / (squared(reference) + 0.01);
-            if (difference != 0) shownError += squared(encoded(a.pixels[i][c]) - encoded(b.pixels[i][c]));
-            if (difference <= result.largest) continue;
-            result.largest = difference;
-            result.x = static_cast<int>(i % static_cast<std::size_t>(a.width));
-            result.y = static_cast<int>(i / static_cast<std::size_t>(a.width));
+            const float x = a.pixels[i][c], reference = b.pixels[i][c];
+            if (add(x, reference, i) != 0) shownError += squared(encoded(x) - encoded(reference));
         }
+        if (hasCoverage) shownError += squared(add(a.coverageAt(i), b.coverageAt(i), i));
     }
-    const double count = 3 * static_cast<double>(a.pixels.size());
+    const double count = (hasCoverage ? 4 : 3) * static_cast<double>(a.pixels.size());
     result.mse /= count;
     result.relmse /= count;
     result.psnr = -10 * std::log10(shownError / count);

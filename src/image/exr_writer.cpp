@@ -27,11 +27,12 @@ int64_t writeBytes(exr_const_context_t, void* userData, const void* bytes, std::
     return -1;
 }
 
-void keepMessage(exr_const_context_t context, exr_result_t, const char* message) {
-    void* userData = nullptr;
-    if (exr_get_user_data(context, &userData) != EXR_ERR_SUCCESS || userData == nullptr) return;
-    auto& stream = *static_cast<Stream*>(userData);
-    if (stream.failure.empty()) stream.failure = std::string("OpenEXR: ") + message;
+// The library may hold a context's lock while it tells of an error: asking the context for its stream would wait for
+// ever.
+thread_local Stream* written = nullptr;
+
+void keepMessage(exr_const_context_t, exr_result_t, const char* message) {
+    if (written != nullptr && written->failure.empty()) written->failure = std::string("OpenEXR: ") + message;
 }
 
 // A channel: its numbers of a line lie `stride` floats apart, lines follow each other.
@@ -73,13 +74,17 @@ exr_attr_box2i_t boxOf(const Window& window) {
 class ExrWriter {
 public:
     explicit ExrWriter(std::FILE* file) : stream_{file, ""} {
+        written = &stream_;
         exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
         start.user_data = &stream_;
         start.write_fn = writeBytes;
         start.error_handler_fn = keepMessage;
         check(exr_start_write(&context_, "picture", EXR_WRITE_FILE_DIRECTLY, &start));
     }
-    ~ExrWriter() { exr_finish(&context_); }
+    ~ExrWriter() {
+        exr_finish(&context_);
+        written = nullptr;
+    }
     ExrWriter(const ExrWriter&) = delete;
     ExrWriter& operator=(const ExrWriter&) = delete;
 
@@ -94,6 +99,7 @@ private:
     static constexpr int part = 0;
 
     void writeHeader(const Picture& picture, const Metadata& metadata) {
+        allowLongNames(picture, metadata);
         int added = part;
         check(exr_add_part(context_, nullptr, EXR_STORAGE_SCANLINE, &added));
         const exr_attr_box2i_t whole = boxOf(picture.whole), held = boxOf(picture.held);
@@ -109,6 +115,21 @@ private:
         for (const auto& [name, value] : metadata)
             check(exr_attr_set_string(context_, part, name.c_str(), value.c_str()));
         check(exr_write_header(context_));
+    }
+
+    // Names of more than 31 letters take a mark in the file, which old programs do not know.
+    void allowLongNames(const Picture& picture, const Metadata& metadata) {
+        constexpr std::size_t shortest = 32, longest = 255;
+        std::size_t length = 0;
+        const auto look = [&](const std::string& name) {
+            if (name.size() > longest)
+                throw core::Error("FILE", "WRITE", "",
+                                  "the name \"" + name.substr(0, 31) + "...\" has more than 255 letters");
+            length = std::max(length, name.size());
+        };
+        for (const Channel& channel : picture.channels) look(channel.name);
+        for (const auto& [name, value] : metadata) look(name);
+        if (length >= shortest) check(exr_set_longname_support(context_, 1));
     }
 
     struct Encoder {

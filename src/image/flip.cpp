@@ -160,7 +160,8 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             Plane filtered(opponent_[axis].size());
             double weights = 0;
-            for (const auto& [amplitude, width] : sensitivity[axis]) {
+            for (const auto& [amplitude, spread] : sensitivity[axis]) {
+                const double width = spread;
                 if (amplitude == 0) continue;
                 const Kernel kernel = kernelOf(radius, [&](double x) {
                     const double degrees = x / pixelsPerDegree;

@@ -49,16 +49,19 @@ bool isReadOnly(const fs::path& target) {
 
 struct Format {
     std::string_view ending;
-    bool holdsLayers;
-    void (*writeFilm)(std::FILE*, const Film&, double exposure, const Metadata&);
-    void (*writeImage)(std::FILE*, const Image&);
+    bool holdsLayers, holdsFloats;
     Image (*read)(std::FILE*);
+    // Null: it is only read.
+    void (*writeFilm)(std::FILE*, const Film&, double exposure, const Metadata&) = nullptr;
+    void (*writeImage)(std::FILE*, const Image&) = nullptr;
 };
 
-constexpr std::array<Format, 3> formats{{
-    {".png", false, writePng, writePng, readPng},
-    {".exr", true, writeExr, writeExr, readExr},
-    {".pfm", false, writePfm, writePfm, readPfm},
+constexpr std::array<Format, 5> formats{{
+    {".png", false, false, readPng, writePng, writePng},
+    {".exr", true, true, readExr, writeExr, writeExr},
+    {".pfm", false, true, readPfm, writePfm, writePfm},
+    {".hdr", false, true, readHdr},
+    {".pic", false, true, readHdr},
 }};
 
 std::string endingOf(const std::string& path) {
@@ -67,17 +70,18 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
-// what: that cannot be done to a file of no such ending, e.g. "write".
-const Format& formatOf(const std::string& path, std::string_view what) {
+// verb: what is to be done to the file, "read" or "write".
+const Format& formatOf(const std::string& path, std::string_view verb) {
     const std::string ending = endingOf(path);
     std::vector<std::string_view> endings;
     for (const Format& format : formats) {
+        if (verb == "write" && format.writeImage == nullptr) continue;
         if (ending == format.ending) return format;
         endings.push_back(format.ending);
     }
     throw core::Error(
         "FILE", "ENDING", path,
-        "cannot " + std::string(what) + " \"" + path + "\": the file's ending must be " + core::listed(endings));
+        "cannot " + std::string(verb) + " \"" + path + "\": the file's ending must be " + core::listed(endings));
 }
 
 }  // namespace
@@ -111,6 +115,9 @@ void ImageFile::write(const Film& film, double exposure, const Metadata& metadat
 }
 
 void ImageFile::write(const Image& image) const {
+    if (image.partsLeftOut > 0)
+        fail(file_.name, "what it is made from has " + std::to_string(image.partsLeftOut + 1) +
+                             " parts, of which all but one would be lost");
     writeWith([&](const Format& format, std::FILE* file) { format.writeImage(file, image); });
 }
 
@@ -123,11 +130,17 @@ void ImageFile::checkIsNot(const FileName& input) const {
 
 void ImageFile::checkAgainst(const FileName& input) const {
     checkIsNot(input);
-    formatOf(input.name, "read");
-    if (endingOf(file_.name) != endingOf(input.name))
+    const Format& from = formatOf(input.name, "read");
+    const auto refuse = [&](const std::string& why) {
         throw core::Error("FILE", "ENDING", file_.name,
-                          "cannot write \"" + file_.name + "\": its ending must be " + endingOf(input.name) +
-                              ", that of \"" + input.name + "\"");
+                          "cannot write \"" + file_.name + "\": its ending must be " + why);
+    };
+    if (from.writeImage == nullptr) {
+        if (!formatOf(file_.name, "write").holdsFloats)
+            refuse(".exr or .pfm, as \"" + input.name + "\" has floats and its format is not written");
+    } else if (endingOf(file_.name) != from.ending) {
+        refuse(endingOf(input.name) + ", that of \"" + input.name + "\"");
+    }
 }
 
 Image readImage(const FileName& from) {

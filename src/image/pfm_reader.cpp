@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "image/announced.h"
 #include "image/image_readers.h"
 
 #include <bit>
@@ -8,10 +8,6 @@
 
 namespace image {
 namespace {
-
-[[noreturn]] void fail(const std::string& why) {
-    throw core::Error("FILE", "READ", "", why);
-}
 
 struct Header {
     std::size_t channels;
@@ -27,11 +23,12 @@ Header readHeader(std::FILE* file) {
     const int end = read == 4 ? std::fgetc(file) : EOF;
     const std::string_view type(kind);
     if (read < 1 || (type != "PF" && type != "Pf"))
-        fail("it is no portable float map: it does not begin with PF or Pf");
-    if (end != ' ' && (end < '\t' || end > '\r')) fail("its header is broken");
+        failReading("it is no portable float map: it does not begin with PF or Pf");
+    if (end != ' ' && (end < '\t' || end > '\r')) failReading("its header is broken");
     if (header.width < 1 || header.height < 1 || header.width > 1'000'000 || header.height > 1'000'000)
-        fail("its header says " + std::to_string(header.width) + " x " + std::to_string(header.height) + " pixels");
-    if (!std::isfinite(header.scale) || header.scale == 0) fail("its header's scale is 0 or not finite");
+        failReading("its header says " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+                    " pixels");
+    if (!std::isfinite(header.scale) || header.scale == 0) failReading("its header's scale is 0 or not finite");
     header.channels = type == "PF" ? 3 : 1;
     return header;
 }
@@ -48,6 +45,9 @@ Image readPfm(std::FILE* file) {
     const Header header = readHeader(file);
     Image image;
     image.held = image.whole = {0, 0, header.width, header.height};
+    const std::uint64_t bytes = sizeOf(file), start = static_cast<std::uint64_t>(ftello(file));
+    const double numbers = static_cast<double>(header.channels * sizeof(float)) * header.width * header.height;
+    checkAnnounced(header.width, header.height, numbers + static_cast<double>(start), bytes);
     checkMemory(image.held, static_cast<double>(header.channels * sizeof(float)));
     std::vector<std::vector<float>> channels(header.channels, std::vector<float>(image.pixels()));
     const std::size_t width = static_cast<std::size_t>(header.width);
@@ -55,11 +55,11 @@ Image readPfm(std::FILE* file) {
     // The bottom line comes first.
     for (std::size_t y = static_cast<std::size_t>(header.height); y-- > 0;) {
         if (std::fread(line.data(), sizeof line[0], line.size(), file) != line.size())
-            fail(std::ferror(file) != 0 ? std::strerror(errno) : "it ends too early");
+            failReading(std::ferror(file) != 0 ? std::strerror(errno) : "it ends too early");
         for (std::size_t i = 0; i < line.size(); ++i)
             channels[i % header.channels][y * width + i / header.channels] = numberFrom(line[i], header);
     }
-    if (std::fgetc(file) != EOF) fail("it goes on behind its last pixel");
+    if (std::fgetc(file) != EOF) failReading("it goes on behind its last pixel");
     for (std::size_t c = 0; c < header.channels; ++c)
         image.channels.push_back({std::string(1, header.channels == 1 ? 'Y' : "RGB"[c]), std::move(channels[c])});
     return image;

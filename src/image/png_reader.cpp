@@ -1,30 +1,40 @@
-#include "core/error.h"
-#include "core/option.h"
+#include "image/announced.h"
 #include "image/image_readers.h"
+#include "image/png_colours.h"
 
 #include <png.h>
 
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 
 namespace image {
 namespace {
 
-[[noreturn]] void fail(const std::string& why) {
-    throw core::Error("FILE", "READ", "", why);
-}
+// Texts may unpack to a thousand times their size.
+constexpr png_alloc_size_t longestChunk = 32'000'000;
+constexpr png_uint_32 mostTexts = 1000;
 
 // As in png_writer.cpp: it throws, through frames that png_destroy_read_struct cleans up after.
 [[noreturn]] void pngError(png_structp, png_const_charp message) {
-    fail(std::string("libpng: ") + message);
+    failReading(std::string("libpng: ") + message);
 }
-void pngWarning(png_structp, png_const_charp) {}
+// The library leaves out what goes beyond its limits and only warns; no text of a picture gets lost here.
+void pngWarning(png_structp, png_const_charp message) {
+    const std::string_view text(message);
+    const auto says = [&](std::string_view words) { return text.find(words) != text.npos; };
+    const std::string chunk = "its " + std::string(text.substr(0, 4)) + " chunk ";
+    const std::string limit = "takes more than " + std::to_string(longestChunk / 1'000'000) + " MB";
+    if (says("chunk data is too large")) failReading(chunk + limit);
+    // Of a text that is packed it does not tell which of the two it is.
+    if (says("TXt: truncated") || says("insufficient memory") || says("out of memory"))
+        failReading(chunk + "is cut off or " + limit);
+    if (says("no space in chunk cache")) failReading("it has more than " + std::to_string(mostTexts) + " texts");
+}
 
 void pngRead(png_structp png, png_bytep bytes, std::size_t size) {
     std::FILE* file = static_cast<std::FILE*>(png_get_io_ptr(png));
     if (std::fread(bytes, 1, size, file) == size) return;
-    fail(std::ferror(file) != 0 ? std::strerror(errno) : "it ends too early");
+    failReading(std::ferror(file) != 0 ? std::strerror(errno) : "it ends too early");
 }
 
 // tEXt and zTXt hold Latin-1.
@@ -48,19 +58,27 @@ public:
         : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, pngError, pngWarning)) {
         info_ = png_create_info_struct(png_);
         png_set_read_fn(png_, file, pngRead);
+        png_set_user_limits(png_, 1'000'000, 1'000'000);
+        png_set_chunk_malloc_max(png_, longestChunk);
+        png_set_chunk_cache_max(png_, mostTexts);
+        keepColourChunks(png_);
     }
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
     PngReader(const PngReader&) = delete;
     PngReader& operator=(const PngReader&) = delete;
 
-    Image read() {
+    // bytes: how many the file has.
+    Image read(std::uint64_t bytes) {
         png_read_info(png_, info_);
-        checkColours();
+        Image image;
+        image.gamma = gammaOf(png_, info_);
+        readPlace(image);
+        // Deflate makes at most 1032 bytes of one.
+        checkAnnounced(image.held.width, image.held.height,
+                       static_cast<double>(png_get_rowbytes(png_, info_)) * image.held.height / 1032, bytes);
         png_set_expand(png_);
         png_set_interlace_handling(png_);
         png_read_update_info(png_, info_);
-        Image image;
-        readPlace(image);
         if (png_get_bit_depth(png_, info_) == 16)
             readChannels<std::uint16_t>(image);
         else
@@ -71,16 +89,6 @@ public:
     }
 
 private:
-    // What says nothing of its colours is taken for sRGB, as by everybody.
-    void checkColours() {
-        int intent = 0;
-        if (png_get_sRGB(png_, info_, &intent) != 0) return;
-        if (png_get_valid(png_, info_, PNG_INFO_iCCP) != 0) fail("its colours have a profile other than sRGB");
-        double gamma = 0;
-        if (png_get_gAMA(png_, info_, &gamma) != 0 && std::abs(gamma * 2.2 - 1) > 0.05)
-            fail("its gamma is " + core::numberText(static_cast<float>(gamma)) + ", not that of sRGB, 0.45455");
-    }
-
     void readPlace(Image& image) {
         image.held.width = static_cast<int>(png_get_image_width(png_, info_));
         image.held.height = static_cast<int>(png_get_image_height(png_, info_));
@@ -134,7 +142,8 @@ private:
 }  // namespace
 
 Image readPng(std::FILE* file) {
-    return PngReader(file).read();
+    const std::uint64_t bytes = sizeOf(file);
+    return PngReader(file).read(bytes);
 }
 
 }  // namespace image

@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "image/image_writers.h"
+#include "image/primaries.h"
 
 #include <png.h>
 
@@ -42,6 +43,7 @@ struct PngHeader {
     Window held;
     bool isPart;
     int bitDepth, colourType;
+    double gamma = 0;  // as Image's
 };
 
 class PngWriter {
@@ -59,7 +61,7 @@ public:
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(header.held.width),
                      static_cast<png_uint_32>(header.held.height), header.bitDepth, header.colourType,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
+        setColours(header.gamma);
         if (header.isPart) png_set_oFFs(png_, info_, header.held.left, header.held.top, PNG_OFFSET_PIXEL);
         std::vector<png_text> texts;
         for (const auto& [keyword, value] : metadata) {
@@ -79,6 +81,16 @@ public:
     void end() { png_write_end(png_, nullptr); }
 
 private:
+    void setColours(double gamma) {
+        if (gamma == 0) {
+            png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
+            return;
+        }
+        const Primaries& p = srgbPrimaries;
+        png_set_cHRM(png_, info_, p[6], p[7], p[0], p[1], p[2], p[3], p[4], p[5]);
+        png_set_gAMA(png_, info_, gamma);
+    }
+
     png_structp png_;
     png_infop info_ = nullptr;
 };
@@ -105,7 +117,7 @@ void putLine(const Image& image, int y, std::vector<png_byte>& row) {
 void writePng(std::FILE* file, const Film& film, double exposure, const Metadata& metadata) {
     PngWriter png(file);
     png.writeHeader(
-        {{0, film.startLine(), film.width(), film.lines()}, film.lines() != film.height(), 8, PNG_COLOR_TYPE_RGB},
+        {{0, film.startLine(), film.width(), film.lines()}, film.lines() != film.height(), 8, PNG_COLOR_TYPE_RGB, 0},
         metadata);
     const float scale = static_cast<float>(std::exp2(exposure));
     std::vector<png_byte> row(3 * static_cast<std::size_t>(film.width()));
@@ -125,7 +137,8 @@ void writePng(std::FILE* file, const Image& image) {
     const std::size_t channels = image.channels.size();
     const bool isDeep = std::holds_alternative<std::vector<std::uint16_t>>(image.channels[0].samples);
     PngWriter png(file);
-    png.writeHeader({image.held, image.isPart, isDeep ? 16 : 8, colourTypes[channels - 1]}, image.metadata);
+    png.writeHeader({image.held, image.isPart, isDeep ? 16 : 8, colourTypes[channels - 1], image.gamma},
+                    image.metadata);
     std::vector<png_byte> row(static_cast<std::size_t>(image.held.width) * channels * (isDeep ? 2 : 1));
     for (int y = 0; y < image.held.height; ++y) {
         putLine(image, y, row);

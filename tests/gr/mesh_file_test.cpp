@@ -223,7 +223,8 @@ TEST_F(MeshFileTest, ABrokenFileIsToldByItsReader) {
 // What it announces is compared with what it holds before memory is asked for.
 TEST_F(MeshFileTest, AFileThatAnnouncesTooMuchIsRefused) {
     const std::string announced = plyHeader("ascii", "1000000000", "6");
-    EXPECT_EQ(reason("a.ply", announced + "0 0 0\n"), "it announces 1000000000 vertex elements and has room for 1 at the most");
+    EXPECT_EQ(reason("a.ply", announced + "0 0 0\n"),
+              "it announces 1000000000 vertex elements and has room for 1 at the most");
     EXPECT_EQ(reason("a.ply", plyHeader("binary_big_endian", "1", "1000000000") + bytesOf(0, 0, 0)),
               "it announces 1000000000 face elements and has room for 0 at the most");
     EXPECT_EQ(reason("a.stl", blockBinaryStl().substr(0, 80) + bytesOf(1000000000)),

@@ -21,8 +21,8 @@ Image imageOf(std::string_view channels, std::vector<std::vector<Number>> number
 }
 
 TEST(Compare, FindsTheMeansAndTheLargestDifference) {
-    const Colours a{2, 1, {Rgbf(0.5f, 0.25f, 3), Rgbf(0, 1, 1)}};
-    const Colours b{2, 1, {Rgbf(0.5f, 0.75f, 1), Rgbf(0, 1, 0)}};
+    const Colours a{2, 1, {Rgbf(0.5f, 0.25f, 3), Rgbf(0, 1, 1)}, {}};
+    const Colours b{2, 1, {Rgbf(0.5f, 0.75f, 1), Rgbf(0, 1, 0)}, {}};
     const Comparison figures = compare(a, b);
     EXPECT_DOUBLE_EQ(figures.mse, (0.25 + 4 + 1) / 6);
     EXPECT_DOUBLE_EQ(figures.relmse, (0.25 / (0.5625 + 0.01) + 4 / 1.01 + 1 / 0.01) / 6);
@@ -36,7 +36,7 @@ TEST(Compare, FindsTheMeansAndTheLargestDifference) {
 }
 
 TEST(Compare, FindsWhereTheyDifferMost) {
-    Colours a{5, 4, std::vector<Rgbf>(20, Rgbf(1))}, b = a;
+    Colours a{5, 4, std::vector<Rgbf>(20, Rgbf(1)), {}}, b = a;
     a.pixels[13].z = 1.5f;
     a.pixels[6].x = 0.75f;
     const Comparison figures = compare(a, b);
@@ -46,7 +46,7 @@ TEST(Compare, FindsWhereTheyDifferMost) {
 }
 
 TEST(Compare, FindsNothingInTheSamePicture) {
-    const Colours a{2, 1, {Rgbf(0.1f, -2, 1e30f), Rgbf(0)}};
+    const Colours a{2, 1, {Rgbf(0.1f, -2, 1e30f), Rgbf(0)}, {}};
     const Comparison figures = compare(a, a);
     EXPECT_EQ(figures.mse, 0);
     EXPECT_EQ(figures.relmse, 0);
@@ -73,15 +73,48 @@ TEST(ColoursOf, AreLinear) {
 
 TEST(ColoursOf, RefusesWhatItCannotCompare) {
     const auto error = [](const Image& image) { return errorOf([&] { coloursOf(image, "a.x"); }); };
-    EXPECT_EQ(error(imageOf<std::uint8_t>("RGBA", {{1, 1}, {1, 1}, {1, 1}, {255, 254}})),
-              "COMPARE PICTURE [a.x] cannot compare \"a.x\": it is transparent in places");
-    EXPECT_EQ(error(imageOf<std::uint8_t>("RGBA", {{1, 1}, {1, 1}, {1, 1}, {255, 255}})), "no error");
-    EXPECT_EQ(error(imageOf<std::uint16_t>("YA", {{1}, {65535}})), "no error");
     EXPECT_EQ(error(imageOf<float>("RBZ", {{1}, {1}, {1}})),
               "COMPARE PICTURE [a.x] cannot compare \"a.x\": it has the channels R B Z, not R, G and B");
     for (const float x : {core::infinity, -core::infinity, std::numeric_limits<float>::quiet_NaN()})
         EXPECT_EQ(error(imageOf<float>("RGB", {{1, 1, 1}, {1, 1, x}, {1, 1, 1}})),
                   "COMPARE PICTURE [a.x] cannot compare \"a.x\": its pixel 2 0 is not finite");
+    EXPECT_EQ(error(imageOf<float>("RGBA", {{1, 1}, {1, 1}, {1, 1}, {1, core::infinity}})),
+              "COMPARE PICTURE [a.x] cannot compare \"a.x\": its pixel 1 0 is not finite");
+}
+
+// What shows before black: a PNG's colours times how much they cover, an OpenEXR file's as they are.
+TEST(ColoursOf, OfTransparentPicturesAreWhatShows) {
+    const Colours bytes = coloursOf(imageOf<std::uint8_t>("RGBA", {{255, 188}, {255, 188}, {255, 188}, {51, 0}}), "a");
+    EXPECT_FLOAT_EQ(bytes.pixels[0].x, 0.2f);
+    EXPECT_EQ(bytes.pixels[1], Rgbf(0));
+    EXPECT_THAT(bytes.coverage, testing::ElementsAre(0.2f, 0));
+    const Colours floats = coloursOf(imageOf<float>("RGBA", {{0.5f}, {0.25f}, {3}, {0.5f}}), "a");
+    EXPECT_EQ(floats.pixels[0], Rgbf(0.5f, 0.25f, 3));
+    EXPECT_THAT(floats.coverage, testing::ElementsAre(0.5f));
+    EXPECT_TRUE(coloursOf(imageOf<std::uint8_t>("RGBA", {{1}, {1}, {1}, {255}}), "a").coverage.empty());
+    EXPECT_TRUE(coloursOf(imageOf<std::uint16_t>("YA", {{1}, {65535}}), "a").coverage.empty());
+}
+
+TEST(ColoursOf, GoByTheGammaThatAPictureTells) {
+    Image image = imageOf<std::uint16_t>("Y", {{65535, 32768, 0}});
+    image.gamma = 1;
+    EXPECT_FLOAT_EQ(coloursOf(image, "a").pixels[1].x, 32768 / 65535.f);
+    image.gamma = 0.5;
+    EXPECT_FLOAT_EQ(coloursOf(image, "a").pixels[1].x, 32768 / 65535.f * 32768 / 65535.f);
+    EXPECT_EQ(coloursOf(image, "a").pixels[0].x, 1);
+}
+
+// With a fourth number of each pixel where one of them is transparent.
+TEST(Compare, CountsHowMuchPixelsCover) {
+    Colours a{2, 1, {Rgbf(0.5f), Rgbf(0)}, {1, 0.25f}};
+    const Colours b{2, 1, {Rgbf(0.5f), Rgbf(0)}, {}};
+    const Comparison figures = compare(a, b);
+    EXPECT_DOUBLE_EQ(figures.mse, 0.5625 / 8);
+    EXPECT_DOUBLE_EQ(figures.relmse, 0.5625 / 1.01 / 8);
+    EXPECT_NEAR(figures.psnr, -10 * std::log10(0.5625 / 8), 1e-9);
+    EXPECT_EQ(figures.largest, 0.75);
+    EXPECT_EQ(figures.x, 1);
+    EXPECT_EQ(compare(b, a).largest, 0.75);
 }
 
 }  // namespace

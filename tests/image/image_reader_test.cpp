@@ -113,14 +113,16 @@ TEST(ImageReader, RefusesWhatIsNotWholeOrNotTheFormat) {
         const std::string path = folder / name;
         ImageFile(path).write(name == "a.png" ? bytes : floats);
         const std::string whole = bytesOf(path);
-        for (std::size_t length = 0; length < whole.size(); ++length) {
+        // A process for each .exr takes its time.
+        const std::size_t step = name == "a.exr" ? 5 : 1;
+        for (std::size_t length = 0; length < whole.size(); length += step) {
             writeText(path, whole.substr(0, length));
             EXPECT_THAT(errorOf([&] { readImage(path); }),
                         testing::StartsWith("FILE READ [" + path + "] cannot read \"" + path + "\": "))
                 << length;
         }
         int refused = 0;
-        for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (std::size_t i = 0; i < whole.size(); i += step) {
             std::string changed = whole;
             changed[i] = static_cast<char>(changed[i] ^ 0x80);
             writeText(path, changed);
@@ -129,7 +131,7 @@ TEST(ImageReader, RefusesWhatIsNotWholeOrNotTheFormat) {
             ++refused;
             EXPECT_THAT(error, testing::HasSubstr("cannot read \"" + path + "\": ")) << i;
         }
-        EXPECT_GT(refused, name == "a.pfm" ? 5 : 150) << name;
+        EXPECT_GT(refused, name == "a.png" ? 150 : name == "a.exr" ? 30 : 5) << name;
         writeText(path, whole);
         EXPECT_EQ(errorOf([&] { readImage(path); }), "no error");
     }
@@ -148,7 +150,7 @@ TEST(ImageReader, SaysWhatIsWrong) {
     for (const std::string name : {"a.png", "a.exr", "a.pfm"})
         writeText(folder / name, "something else, and long enough");
     EXPECT_EQ(error("a.png"), "libpng: Not a PNG file");
-    EXPECT_THAT(error("a.exr"), testing::StartsWith("OpenEXR: "));
+    EXPECT_EQ(error("a.exr"), "it is no OpenEXR file: it does not begin with the bytes 76 2F 31 01");
     EXPECT_EQ(error("a.pfm"), "it is no portable float map: it does not begin with PF or Pf");
     writeText(folder / "a.pfm", "PF\n0 2\n-1\n");
     EXPECT_EQ(error("a.pfm"), "its header says 0 x 2 pixels");
@@ -159,12 +161,15 @@ TEST(ImageReader, SaysWhatIsWrong) {
     writeText(folder / "a.pfm", "Pf\n1 1\n-1\nabcde");
     EXPECT_EQ(error("a.pfm"), "it goes on behind its last pixel");
     writeText(folder / "a.pfm", "Pf\n1 1\n-1\nabc");
-    EXPECT_EQ(error("a.pfm"), "it ends too early");
+    EXPECT_EQ(error("a.pfm"), "it announces 1 x 1 pixels and has 13 bytes");
     writeText(folder / "a.pfm", "PF\n1000000 1000000\n-1\nabc");
-    EXPECT_THAT(errorOf([&] { readImage(folder / "a.pfm"); }),
-                testing::HasSubstr("a picture of 1000000 x 1000000 pixels takes "));
+    EXPECT_EQ(error("a.pfm"), "it announces 1000000 x 1000000 pixels and has 25 bytes");
+    EXPECT_THAT(errorOf([&] {
+                    checkMemory({0, 0, 1'000'000, 1'000'000}, 12);
+                }),
+                testing::HasSubstr("a picture of 1000000 x 1000000 pixels takes 11 TB of memory; "));
     EXPECT_EQ(errorOf([&] { readImage("a.jpg"); }),
-              "FILE ENDING [a.jpg] cannot read \"a.jpg\": the file's ending must be .png, .exr or .pfm");
+              "FILE ENDING [a.jpg] cannot read \"a.jpg\": the file's ending must be .png, .exr, .pfm, .hdr or .pic");
 }
 
 TEST(ImageReader, ReadsEitherByteOrderAndTheScaleOfAPfm) {

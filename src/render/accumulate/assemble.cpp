@@ -86,6 +86,8 @@ void checkSameRender(const Strip& first, const Strip& strip) {
         refuse("what it has of each pixel", strip.image.channelNames(), first.image.channelNames());
     if (strip.image.channels[0].samples.index() != first.image.channels[0].samples.index())
         fail("RENDER", strip.path, quoted(strip.path) + " has other numbers of bits than " + quoted(first.path));
+    if (strip.image.gamma != first.image.gamma)
+        fail("RENDER", strip.path, quoted(strip.path) + " has another gamma than " + quoted(first.path));
 }
 
 // strips: in the order of their lines.
@@ -159,6 +161,7 @@ image::Image assemble(std::vector<Strip> strips) {
         for (std::size_t c = 0; c < whole.channels.size(); ++c)
             append(whole.channels[c].samples, strips[i].image.channels[c].samples);
         strips[i].image.channels.clear();
+        whole.partsLeftOut = std::max(whole.partsLeftOut, strips[i].image.partsLeftOut);
     }
     whole.held = whole.whole = {0, 0, whole.held.width, height};
     whole.isPart = false;
