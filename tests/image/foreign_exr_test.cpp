@@ -9,6 +9,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
@@ -142,6 +143,40 @@ TEST(ForeignExr, OfEveryCompressionIsRead) {
                     expectNumbers(numbersOf(image, channel), mostLost(compression, type), what);
             }
         }
+    }
+}
+
+// Of half floats beside floats each line has first all of one channel, and then all of the next.
+TEST(ForeignExr, OfHalfFloatsBesideFloatsIsRead) {
+    const TemporaryFolder folder;
+    for (const auto compression :
+         {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION}) {
+        constexpr int width = 7, height = 37;
+        Imf::Header header(width, height, 1, {0, 0}, 1, Imf::INCREASING_Y, compression);
+        std::vector<float> floats(width * height);
+        std::vector<half> halves(width * height);
+        for (std::size_t i = 0; i < floats.size(); ++i) {
+            floats[i] = -1.f / (1 + float(i));
+            halves[i] = numberOf(i);
+        }
+        Imf::FrameBuffer buffer;
+        const auto add = [&]<class Number>(const char* name, Imf::PixelType type, std::vector<Number>& numbers) {
+            header.channels().insert(name, Imf::Channel(type));
+            buffer.insert(name, Imf::Slice(type, reinterpret_cast<char*>(numbers.data()), sizeof(Number),
+                                           width * sizeof(Number)));
+        };
+        add("A", Imf::HALF, halves);
+        add("B", Imf::FLOAT, floats);
+        add("C", Imf::HALF, halves);
+        {
+            Imf::OutputFile file((folder / "a.exr").c_str(), header);
+            file.setFrameBuffer(buffer);
+            file.writePixels(height);
+        }
+        const Image image = readImage(folder / "a.exr");
+        EXPECT_EQ(numbersOf(image, "B"), floats) << compression;
+        for (const char* channel : {"A", "C"})
+            EXPECT_EQ(numbersOf(image, channel), std::vector<float>(halves.begin(), halves.end())) << compression;
     }
 }
 

@@ -113,14 +113,16 @@ TEST(ImageReader, RefusesWhatIsNotWholeOrNotTheFormat) {
         const std::string path = folder / name;
         ImageFile(path).write(name == "a.png" ? bytes : floats);
         const std::string whole = bytesOf(path);
-        for (std::size_t length = 0; length < whole.size(); ++length) {
+        // A process for each .exr takes its time.
+        const std::size_t step = name == "a.exr" ? 5 : 1;
+        for (std::size_t length = 0; length < whole.size(); length += step) {
             writeText(path, whole.substr(0, length));
             EXPECT_THAT(errorOf([&] { readImage(path); }),
                         testing::StartsWith("FILE READ [" + path + "] cannot read \"" + path + "\": "))
                 << length;
         }
         int refused = 0;
-        for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (std::size_t i = 0; i < whole.size(); i += step) {
             std::string changed = whole;
             changed[i] = static_cast<char>(changed[i] ^ 0x80);
             writeText(path, changed);
@@ -129,7 +131,7 @@ TEST(ImageReader, RefusesWhatIsNotWholeOrNotTheFormat) {
             ++refused;
             EXPECT_THAT(error, testing::HasSubstr("cannot read \"" + path + "\": ")) << i;
         }
-        EXPECT_GT(refused, name == "a.pfm" ? 5 : 150) << name;
+        EXPECT_GT(refused, name == "a.png" ? 150 : name == "a.exr" ? 30 : 5) << name;
         writeText(path, whole);
         EXPECT_EQ(errorOf([&] { readImage(path); }), "no error");
     }

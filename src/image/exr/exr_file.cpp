@@ -3,6 +3,7 @@
 #include "image/announced.h"
 #include "image/exr/exr_bytes.h"
 #include "image/exr/exr_header.h"
+#include "image/exr/exr_lines.h"
 
 #include <ImfFrameBuffer.h>
 #include <ImfInputPart.h>
@@ -26,6 +27,7 @@ struct ExrFile::Library {
     std::optional<Imf::MultiPartInputFile> file;
     int number = 0;  // of the part that is read
     std::optional<Imf::InputPart> part;
+    std::optional<LineReader> lines;  // where they are packed simply
     // Colours of luminance and chroma are put together by the library, which reads the file a second time for that.
     std::optional<ByteStream> chromaStream;
     std::optional<Imf::RgbaInputFile> chroma;
@@ -67,6 +69,7 @@ void ExrFile::open(std::span<char> bytes) {
     image_.partsLeftOut = file.parts() - 1;
     checkSize(header, library.file->partComplete(library.number), bytes.size());
     library.part.emplace(*library.file, library.number);
+    if (canReadLines(header)) library.lines.emplace(*library.part);
     if (!hasLuminanceAndChroma(header.channels())) return;
     if (library.number != 0) failReading("its luminance and chroma are not in its first part");
     library.chromaStream.emplace(bytes);
@@ -97,6 +100,11 @@ void ExrFile::read(int line, int lines, std::vector<std::vector<float>>& channel
     channels.resize(image_.channels.size());
     const int first = image_.held.top + line, last = first + lines - 1;
     const Imath::Box2i window({image_.held.left, first}, {image_.held.left + image_.held.width - 1, last});
+    if (library.lines) {
+        for (auto& numbers : channels) numbers.resize(count);
+        callLibrary(library, [&] { library.lines->read(first, last, channels); });
+        return;
+    }
     Imf::FrameBuffer buffer;
     bool isEmpty = true;
     for (std::size_t c = 0; c < channels.size(); ++c) {
