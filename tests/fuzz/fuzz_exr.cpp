@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     try {
         image::exr::ExrFile file(copy);
         const image::Image& image = file.image();
-        if (file.memory() > mostMemory || image.pixels() * image.channels.size() > mostPixels) return 0;
+        if (file.memory(0) > mostMemory || image.pixels() * image.channels.size() > mostPixels) return 0;
+        file.start(0);
         std::vector<std::vector<float>> channels;
         const int lines = file.linesAtOnce();
         for (int line = 0; line < image.held.height; line += lines) {

@@ -146,6 +146,19 @@ TEST(ForeignExr, OfEveryCompressionIsRead) {
     }
 }
 
+// A file may be a tile, and small: what reading it takes is not told by its size.
+TEST(ForeignExr, OfOneLargeTileIsRead) {
+    const TemporaryFolder folder;
+    Imf::Header header(2500, 2500, 1, {0, 0}, 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+    header.setTileDescription(Imf::TileDescription(2500, 2500));
+    ExrParts parts;
+    parts.add(header, {"R", "G", "B"}, Imf::FLOAT, "tiledimage");
+    parts.write(folder / "a.exr");
+    EXPECT_LT(bytesOf(folder / "a.exr").size(), 4'000'000u);
+    const Image image = readImage(folder / "a.exr");
+    for (const char* channel : {"R", "G", "B"}) expectNumbers(numbersOf(image, channel), 0, channel);
+}
+
 // Of half floats beside floats each line has first all of one channel, and then all of the next.
 TEST(ForeignExr, OfHalfFloatsBesideFloatsIsRead) {
     const TemporaryFolder folder;

@@ -20,6 +20,7 @@ public:
     std::uint64_t tellg() override { return at_; }
     void seekg(std::uint64_t at) override { at_ = at; }
 
+    std::span<char> bytes() const { return bytes_; }
     // Whether something was asked for that is not there.
     bool hasEnded() const { return hasEnded_; }
 

@@ -19,8 +19,10 @@ public:
     const Image& image() const { return image_; }
     // Lines that are best read at once, as many as the file keeps together or more.
     int linesAtOnce() const;
-    // How many bytes reading it takes at most, beside the file's own.
-    double memory() const;
+    // How many bytes reading it by so many threads takes at most, beside the file's own; 0: by the caller alone.
+    double memory(int threads) const;
+    // To be called before numbers are read.
+    void start(int threads);
     // From the line on, counted from the top of what is held: `lines` lines of each channel.
     void read(int line, int lines, std::vector<std::vector<float>>& channels);
 

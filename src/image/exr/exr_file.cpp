@@ -62,18 +62,28 @@ ExrFile::ExrFile(std::span<char> bytes) : library_(std::make_unique<Library>(byt
 
 void ExrFile::open(std::span<char> bytes) {
     Library& library = *library_;
-    const Imf::MultiPartInputFile& file = library.file.emplace(library.stream, Imf::globalThreadCount(), false);
+    const Imf::MultiPartInputFile& file = library.file.emplace(library.stream, 0, false);
     library.number = partToRead(file);
     const Imf::Header& header = library.header();
     image_ = imageOf(header, attributeNames(bytes, library.number));
     image_.partsLeftOut = file.parts() - 1;
     checkSize(header, library.file->partComplete(library.number), bytes.size());
-    library.part.emplace(*library.file, library.number);
-    if (canReadLines(header)) library.lines.emplace(*library.part);
-    if (!hasLuminanceAndChroma(header.channels())) return;
-    if (library.number != 0) failReading("its luminance and chroma are not in its first part");
-    library.chromaStream.emplace(bytes);
-    library.chroma.emplace(*library.chromaStream);
+    if (hasLuminanceAndChroma(header.channels()) && library.number != 0)
+        failReading("its luminance and chroma are not in its first part");
+}
+
+void ExrFile::start(int threads) {
+    Library& library = *library_;
+    callLibrary(library, [&] {
+        // The library settles with the file how many threads work on its parts.
+        library.stream.seekg(0);
+        library.file.emplace(library.stream, threads, false);
+        library.part.emplace(*library.file, library.number);
+        if (canReadLines(library.header())) library.lines.emplace(*library.part);
+        if (!hasLuminanceAndChroma(library.header().channels())) return;
+        library.chromaStream.emplace(library.stream.bytes());
+        library.chroma.emplace(*library.chromaStream, threads);
+    });
 }
 
 ExrFile::~ExrFile() = default;
@@ -87,10 +97,12 @@ int ExrFile::linesAtOnce() const {
     return std::max(most / tile, 1) * tile;
 }
 
-double ExrFile::memory() const {
-    // What is read, as it is packed, as it was unpacked, and as floats; of tiles the library holds a row of them.
-    const double lines = std::min(linesAtOnce(), image_.held.height) + 256;
-    return 8 * lines * image_.held.width * sizeof(float) * static_cast<double>(image_.channels.size());
+double ExrFile::memory(int threads) const {
+    // For each thread the library holds two pieces, each as it was packed, unpacked and put in order; of tiles it holds
+    // a row; and there is what was read.
+    const double buffers = 3. * std::max(2 * threads, 1) + 3;
+    const double lines = std::max(linesAtOnce(), 256);
+    return 1.3 * buffers * lines * image_.held.width * sizeof(float) * static_cast<double>(image_.channels.size());
 }
 
 void ExrFile::read(int line, int lines, std::vector<std::vector<float>>& channels) {

@@ -54,16 +54,30 @@ void putHeader(const image::Image& image, int linesAtOnce) {
     }
 }
 
+// What the library packs together it can unpack on a thread each. Where there is too little memory for them it goes
+// without.
+int startThreads(const image::exr::ExrFile& file, double megabytes) {
+    const int threads = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
+    if (file.memory(threads) > megabytes * 1e6) return 0;
+    try {
+        Imf::setGlobalThreadCount(threads);
+        return threads;
+    } catch (const std::exception&) {
+        Imf::setGlobalThreadCount(0);
+        return 0;
+    }
+}
+
 void readFile(const reader::Limits& most) {
     const std::span<char> bytes = mapped(reader::input);
-    // What the library packs together it can unpack on a thread each. They share what memory there is.
     mallopt(M_ARENA_MAX, 1);
-    Imf::setGlobalThreadCount(static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 4u)));
     // The program itself takes some, and headers may be as large as the file.
     const double start = 200 + 8 * static_cast<double>(bytes.size()) / 1e6;
     reader::limitMemory(std::min(most.megabytes, start));
     image::exr::ExrFile file(bytes);
-    reader::limitMemory(std::min(most.megabytes, start + file.memory() / 1e6));
+    const int threads = startThreads(file, most.megabytes - start);
+    reader::limitMemory(std::min(most.megabytes, start + file.memory(threads) / 1e6));
+    file.start(threads);
     const image::Image& image = file.image();
     const int lines = file.linesAtOnce();
     putHeader(image, lines);
