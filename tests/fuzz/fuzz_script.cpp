@@ -10,7 +10,9 @@
 #include <tcl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 namespace {
@@ -19,19 +21,23 @@ constexpr const char* hidden[] = {"after",     "binary",  "encoding", "exit",   
                                   "gr_median", "lrepeat", "puts",     "regexp", "regsub", "scan",
                                   "string",    "time",    "timerate", "update", "vwait",  "while"};
 
-// An empty folder is all that scripts can see of files.
-std::string emptyFolder() {
+// A folder of its own is all that scripts can see of files.
+std::string ownFolder() {
     char name[] = "/tmp/grsh-fuzz-XXXXXX";
     if (mkdtemp(name) == nullptr || chdir(name) != 0) std::abort();
     return name;
 }
 
 struct Parent {
-    Parent() : folder(emptyFolder()), files({folder}, {folder}) {
+    Parent() : folder(ownFolder()), files({folder}, {folder}) {
         Tcl_FindExecutable("grsh");
         Tcl_SetSystemEncoding(nullptr, "utf-8");
         interp = Tcl_CreateInterp();
         if (Tcl_Init(interp) != TCL_OK) std::abort();
+    }
+    ~Parent() {
+        std::error_code failed;
+        std::filesystem::remove_all(folder, failed);
     }
 
     std::string folder;
