@@ -354,6 +354,11 @@ TEST_F(ForeignExrError, TellsOfWhatIsNotThere) {
     EXPECT_EQ(error(), "it ends too early");
     writeText(path_, bytes.substr(0, 100));
     EXPECT_EQ(error(), "it ends too early");
+    // A text that says that it has 2 GB.
+    std::string changed = bytes;
+    changed.replace(changed.find("string") + 7, 4, "\xff\xff\xff\x7f");
+    writeText(path_, changed);
+    EXPECT_EQ(error(), "it ends too early");
     // 30000 x 30000 pixels, of which a tile is all.
     Imf::Header huge(30000, 30000);
     huge.setType("tiledimage");

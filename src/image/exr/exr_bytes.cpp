@@ -1,5 +1,7 @@
 #include "image/exr/exr_bytes.h"
 
+#include "image/announced.h"
+
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -24,40 +26,49 @@ bool ByteStream::read(char* to, int count) {
 
 namespace {
 
+// Cuts so many bytes off.
+std::span<const char> take(std::span<const char>& bytes, std::size_t count) {
+    if (count > bytes.size()) failReading("it ends too early");
+    const std::span<const char> taken = bytes.first(count);
+    bytes = bytes.subspan(count);
+    return taken;
+}
+
 // Cuts off a text that ends with 0.
 std::string takeText(std::span<const char>& bytes) {
-    const auto end = std::find(bytes.begin(), bytes.end(), '\0');
-    std::string text(bytes.begin(), end);
-    bytes = bytes.subspan(std::min(text.size() + 1, bytes.size()));
-    return text;
+    const auto length = std::find(bytes.begin(), bytes.end(), '\0') - bytes.begin();
+    const std::span<const char> text = take(bytes, static_cast<std::size_t>(length));
+    take(bytes, 1);
+    return {text.begin(), text.end()};
 }
 
 std::uint32_t takeNumber(std::span<const char>& bytes) {
     std::uint32_t number = 0;
-    if (bytes.size() >= sizeof number) std::memcpy(&number, bytes.data(), sizeof number);
-    bytes = bytes.subspan(std::min(sizeof number, bytes.size()));
+    std::memcpy(&number, take(bytes, sizeof number).data(), sizeof number);
     return number;
 }
 
 }  // namespace
 
-std::vector<std::string> attributeNames(std::span<const char> file, int part) {
-    // Headers follow the magic number and the version. In each an attribute is its name, its type, its size and so many
-    // bytes; a name without a letter ends it.
-    std::span<const char> rest = file.subspan(std::min<std::size_t>(8, file.size()));
-    std::vector<std::string> names;
-    while (!rest.empty()) {
-        std::string name = takeText(rest);
-        if (name.empty()) {
-            if (part-- == 0) break;
-            names.clear();
-            continue;
+std::vector<std::vector<std::string>> attributeNames(std::span<const char> file) {
+    constexpr std::uint32_t manyParts = 0x1000;
+    take(file, 4);
+    const bool isOnePart = (takeNumber(file) & manyParts) == 0;
+    // In each header an attribute is its name, its type, its size and so many bytes; a name without a letter ends it,
+    // and where there are many a header without attributes ends them.
+    std::vector<std::vector<std::string>> parts(1);
+    while (true) {
+        std::string name = takeText(file);
+        if (!name.empty()) {
+            takeText(file);
+            take(file, takeNumber(file));
+            parts.back().push_back(std::move(name));
+        } else if (isOnePart || parts.back().empty()) {
+            return parts;
+        } else {
+            parts.emplace_back();
         }
-        takeText(rest);
-        rest = rest.subspan(std::min<std::size_t>(takeNumber(rest), rest.size()));
-        names.push_back(std::move(name));
     }
-    return names;
 }
 
 }  // namespace image::exr

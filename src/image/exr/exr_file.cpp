@@ -62,10 +62,11 @@ ExrFile::ExrFile(std::span<char> bytes) : library_(std::make_unique<Library>(byt
 
 void ExrFile::open(std::span<char> bytes) {
     Library& library = *library_;
+    const std::vector<std::vector<std::string>> names = attributeNames(bytes);
     const Imf::MultiPartInputFile& file = library.file.emplace(library.stream, 0, false);
     library.number = partToRead(file);
     const Imf::Header& header = library.header();
-    image_ = imageOf(header, attributeNames(bytes, library.number));
+    image_ = imageOf(header, names.at(static_cast<std::size_t>(library.number)));
     image_.partsLeftOut = file.parts() - 1;
     checkSize(header, library.file->partComplete(library.number), bytes.size());
     if (hasLuminanceAndChroma(header.channels()) && library.number != 0)
