@@ -31,7 +31,7 @@ private:
 };
 
 // The names of each part's attributes, as the file has them one after the other. Throws core::Error where one of them
-// does not end within the file: the library would have memory for it first.
+// does not end within the file: the library would reserve memory for it first.
 std::vector<std::vector<std::string>> attributeNames(std::span<const char> file);
 
 }  // namespace image::exr
