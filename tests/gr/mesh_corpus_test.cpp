@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace gr {
@@ -99,6 +101,14 @@ TEST(MeshCorpus, EachFileBecomesWhatItSays) {
         EXPECT_EQ(knownOf(*mesh), cells.size() > 6 ? cells[6] : "");
         EXPECT_EQ(repairs.text(), cells.size() > 7 ? cells[7] : "");
     }
+}
+
+TEST(MeshCorpus, EachFileHasALine) {
+    const std::string corpus = GRSH_CORPUS;
+    std::set<std::string> named{"a buffer.bin"};  // which percent.gltf names
+    for (const auto& [cells] : rowsOf(corpus + "/meshes.txt")) named.insert(cells[0]);
+    for (const auto& entry : std::filesystem::directory_iterator(corpus + "/meshes"))
+        EXPECT_TRUE(named.contains(entry.path().filename())) << entry.path();
 }
 
 }  // namespace
