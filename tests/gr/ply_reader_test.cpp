@@ -15,6 +15,7 @@ TEST(PlyReader, TakesTheSameTetrahedronInAllTheWaysOfWritingIt) {
                  facesFirst.substr(vertices, element - vertices) + facesFirst.substr(facesFirst.find("end_header"));
     for (const std::string& text : std::initializer_list<std::string>{
              tetrahedronPly("", "", "", plyPlaces + plyFaces),
+             tetrahedronPly("Created by hand\n", "", "", plyPlaces + plyFaces),
              tetrahedronPly("comment x\n", "comment hi\nobj_info hi\n", "", plyPlaces + "\n\n" + plyFaces),
              tetrahedronPly(camera, "", "", "2 9 9 1\n0 5\n" + plyPlaces + plyFaces),
              tetrahedronPly("", "", camera, plyPlaces + "0 1\n3 1 2 3 1\n" + plyFaces),

@@ -134,7 +134,8 @@ PlyHeader takePlyHeader(std::string_view& file) {
             throw Failure("its header has a property without an element");
         else if (keyword == "property")
             header.elements.back().properties.push_back(propertyOf(words));
-        else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
+        // An older Blender leaves out the word "comment" of its first one, which can do no harm there.
+        else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty() && !header.elements.empty())
             throw Failure("its header has no such keyword as \"" + shown(keyword) + "\"");
     }
     header.lines = lines.number();
