@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/open_below.h"
+#include "core/srgb.h"
 #include "image/film.h"
 #include "image/image.h"
 
@@ -10,9 +11,8 @@
 
 namespace image {
 
-// The sRGB curve (IEC 61966-2-1) and its inverse. Both are from 0 to 1.
-double encodeSrgb(double linear);
-double decodeSrgb(double encoded);
+using core::decodeSrgb;
+using core::encodeSrgb;
 // The curve, rounded to 8 bits. radiance: linear; below 0 is 0, above 1 is 255.
 std::uint8_t toSrgb8(float radiance);
 

@@ -11,14 +11,6 @@
 
 namespace image {
 
-double encodeSrgb(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double decodeSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 std::uint8_t toSrgb8(float radiance) {
     return static_cast<std::uint8_t>(encodeSrgb(std::clamp(static_cast<double>(radiance), 0.0, 1.0)) * 255 + 0.5);
 }

@@ -1,4 +1,5 @@
 #include "gr/mesh/mesh_repair.h"
+#include "gr/cube_mesh.h"
 
 #include "gr/error_of.h"
 #include "gr/uv_sphere_mesh.h"
@@ -25,15 +26,6 @@ MeshRepairs apply(Step&& step, PolygonMesh& mesh) {
 
 glm::dvec3 faceNormal(const PolygonMesh& mesh, const std::vector<int>& face) {
     return gr::faceNormal(mesh.vertices, face);
-}
-
-// [-1, 1]^3, faces outwards.
-PolygonMesh cube() {
-    PolygonMesh mesh;
-    for (int i = 0; i < 8; ++i)
-        mesh.vertices.emplace_back((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    mesh.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    return mesh;
 }
 
 // A row of quads in the x-y plane, facing +z.
@@ -104,7 +96,7 @@ TEST(MergeVertices, LeavesNeighboursApart) {
 
 // Six faces with four vertices of their own each, as many programs write a cube.
 TEST(MergeVertices, JoinsACubeOfSeparateFaces) {
-    PolygonMesh mesh, joined = cube();
+    PolygonMesh mesh, joined = cubeMesh();
     for (const std::vector<int>& face : joined.faces) {
         std::vector<int>& own = mesh.faces.emplace_back();
         for (const int v : face) {
@@ -155,15 +147,15 @@ TEST(DropDegenerate, FacesWithoutArea) {
 }
 
 TEST(OrientFaces, LeavesARightCubeAlone) {
-    PolygonMesh mesh = cube();
+    PolygonMesh mesh = cubeMesh();
     EXPECT_EQ(orient(mesh).turnedFaces, 0);
-    EXPECT_EQ(mesh.faces, cube().faces);
+    EXPECT_EQ(mesh.faces, cubeMesh().faces);
 }
 
 // Every choice of faces, up to all six: a closed body tells which way is out.
 TEST(OrientFaces, TurnsTheWrongFacesOfACube) {
     for (unsigned wrong = 0; wrong < 64; ++wrong) {
-        PolygonMesh mesh = cube();
+        PolygonMesh mesh = cubeMesh();
         for (std::size_t face = 0; face < 6; ++face)
             if ((wrong >> face & 1) != 0) turn(mesh, face);
         EXPECT_EQ(orient(mesh).turnedFaces, std::popcount(wrong)) << wrong;
@@ -172,7 +164,7 @@ TEST(OrientFaces, TurnsTheWrongFacesOfACube) {
 }
 
 TEST(OrientFaces, TurnsACubeFarFromTheOrigin) {
-    PolygonMesh mesh = cube();
+    PolygonMesh mesh = cubeMesh();
     for (glm::dvec3& v : mesh.vertices) v += glm::dvec3(1e6, -2e6, 3e6);
     for (std::size_t face = 0; face < 6; ++face) turn(mesh, face);
     EXPECT_EQ(orient(mesh).turnedFaces, 6);
@@ -180,8 +172,8 @@ TEST(OrientFaces, TurnsACubeFarFromTheOrigin) {
 }
 
 TEST(OrientFaces, EachBodyOnItsOwn) {
-    PolygonMesh mesh = cube();
-    const PolygonMesh second = cube();
+    PolygonMesh mesh = cubeMesh();
+    const PolygonMesh second = cubeMesh();
     for (const glm::dvec3& v : second.vertices) mesh.vertices.push_back(v + glm::dvec3(10, 0, 0));
     for (std::vector<int> face : second.faces) {
         for (int& v : face) v += 8;
@@ -221,7 +213,7 @@ TEST(OrientFaces, AnOpenStripMayFaceEitherWay) {
 
 TEST(OrientFaces, AnOpenCubeIsWoundAlike) {
     for (std::size_t wrong = 0; wrong < 5; ++wrong) {
-        PolygonMesh mesh = cube();
+        PolygonMesh mesh = cubeMesh();
         mesh.faces.pop_back();
         turn(mesh, wrong);
         EXPECT_EQ(orient(mesh).turnedFaces, 1);
@@ -230,7 +222,7 @@ TEST(OrientFaces, AnOpenCubeIsWoundAlike) {
 }
 
 TEST(MakePolyhedron, CountsAllThatItMends) {
-    PolygonMesh mesh = cube();
+    PolygonMesh mesh = cubeMesh();
     mesh.vertices.push_back(mesh.vertices[7]);
     mesh.faces[1] = {4, 5, 8, 8, 6};
     mesh.faces.push_back({0, 1, 1});

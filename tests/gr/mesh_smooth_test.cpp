@@ -2,6 +2,7 @@
 // Seen to fail with faces that all count alike, with the wrong side of dented corners, with every edge
 // smooth or sharp, and with edges that three faces share.
 #include "gr/mesh/mesh_smooth.h"
+#include "gr/cube_mesh.h"
 
 #include "gr/mesh/mesh_repair.h"
 #include "gr/uv_sphere_mesh.h"
@@ -13,15 +14,6 @@ namespace gr {
 namespace {
 
 constexpr double packing = 1e-4;  // what a packed normal is off by, at most
-
-// [-1, 1]^3, faces outwards.
-PolygonMesh cube() {
-    PolygonMesh mesh;
-    for (int i = 0; i < 8; ++i)
-        mesh.vertices.emplace_back((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    mesh.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    return mesh;
-}
 
 FlatMesh smooth(const PolygonMesh& given, double degrees) {
     FlatMesh mesh(given);
@@ -46,14 +38,14 @@ void expectFlat(const FlatMesh& mesh) {
 }
 
 TEST(SmoothNormals, OfACubeAreItsFacesBelowARightAngle) {
-    expectFlat(smooth(cube(), 40));
-    expectFlat(smooth(cube(), 90));
+    expectFlat(smooth(cubeMesh(), 40));
+    expectFlat(smooth(cubeMesh(), 90));
 }
 
 // Whichever way its faces are cut, also only some of them.
 TEST(SmoothNormals, OfACubePointToItsCornersAboveARightAngle) {
     for (unsigned cut = 0; cut < 64; ++cut) {
-        PolygonMesh mesh = cube();
+        PolygonMesh mesh = cubeMesh();
         for (std::size_t f = 0; f < 6; ++f) {
             if ((cut >> f & 1) == 0) continue;
             const std::vector<int> face = mesh.faces[f];
@@ -67,7 +59,7 @@ TEST(SmoothNormals, OfACubePointToItsCornersAboveARightAngle) {
 }
 
 TEST(SmoothNormals, AreLeftAsTheyAre) {
-    FlatMesh mesh(cube());
+    FlatMesh mesh(cubeMesh());
     smoothNormals(mesh, 0);
     EXPECT_TRUE(mesh.normals.empty());
     mesh.normals.assign(mesh.corners.size(), packNormal({0, 0, 1}));
@@ -134,7 +126,7 @@ TEST(SmoothNormals, AreThoseOfThePolyhedron) {
     MeshRepairs repairs;
     EXPECT_FALSE(Polyhedron::make(FlatMesh(uvSphereMesh(8, 16)), repairs)->hasNormals());
     EXPECT_TRUE(Polyhedron::make(FlatMesh(uvSphereMesh(8, 16)), repairs, 40)->hasNormals());
-    EXPECT_FALSE(Polyhedron::make(FlatMesh(cube()), repairs, 40)->hasNormals());
+    EXPECT_FALSE(Polyhedron::make(FlatMesh(cubeMesh()), repairs, 40)->hasNormals());
 }
 
 TEST(SmoothNormals, OfAMillionTrianglesTakeLittleTime) {

@@ -10,8 +10,10 @@
 
 namespace gr::importer {
 
-// Without the mark that some editors put before UTF-8. Throws Failure for text in UTF-16, of which nothing could be
-// read.
+// Whether text is in UTF-16, of which nothing here could be read.
+bool isUtf16(std::string_view text);
+
+// Without the mark that some editors put before UTF-8. Throws Failure for text in UTF-16.
 std::string_view withoutByteOrderMark(std::string_view text);
 
 // A word of a file as messages show it: what cannot be printed is a question mark, and it is not too long.

@@ -19,9 +19,9 @@ constexpr std::array<std::string_view, 5> drawn{"l", "p", "curv", "curv2", "surf
 // The largest numbers of a kind that faces name before they are there: they may come later.
 class NamedAhead {
 public:
-    void see(std::int64_t number, const std::string& word, int line) {
+    void see(std::int64_t number, std::string_view word, int line) {
         if (!seen_.empty() && number <= seen_.back().number) return;
-        seen_.push_back({number, {line, word}});
+        seen_.push_back({number, {line, shown(word)}});
     }
     // count: how many there are at the end.
     void check(std::size_t count) const {
@@ -197,7 +197,7 @@ private:
         const std::int64_t number = takeNumber(left, corner), count = std::ssize(file_.mesh.vertices);
         const std::string_view word = corner.substr(0, corner.size() - left.size());
         if (number == 0 || -number > count) fail("a face names vertex " + shown(word) + " of " + std::to_string(count));
-        if (number > count) ahead_.see(number, shown(word), first_);
+        if (number > count) ahead_.see(number, word, first_);
         return static_cast<int>(number > 0 ? number - 1 : count + number);
     }
 

@@ -6,14 +6,16 @@
 
 namespace gr::importer {
 
-std::string_view withoutByteOrderMark(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) return text.substr(3);
+bool isUtf16(std::string_view text) {
     // Text has no zeros; of UTF-16 every other byte is one, as long as it holds English words and figures.
     const auto isZero = [&](std::size_t i) { return text[i] == 0; };
-    const bool isMarked = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
-    if (isMarked || (text.size() >= 4 && isZero(0) != isZero(1) && isZero(0) == isZero(2) && isZero(1) == isZero(3)))
-        throw Failure("its text is in UTF-16; it must be in UTF-8");
-    return text;
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+           (text.size() >= 4 && isZero(0) != isZero(1) && isZero(0) == isZero(2) && isZero(1) == isZero(3));
+}
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+    if (isUtf16(text)) throw Failure("its text is in UTF-16; it must be in UTF-8");
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
 std::string shown(std::string_view word) {

@@ -1,5 +1,6 @@
 #include "gr/mesh/import/gltf/accessor.h"
 
+#include "core/error.h"
 #include "gr/mesh/import/gltf/words.h"
 
 #include <algorithm>
@@ -108,9 +109,8 @@ std::size_t sizeOf(Component component) {
 
 void Accessor::expectType(std::string_view what, std::initializer_list<std::string_view> types) const {
     if (std::find(types.begin(), types.end(), type) != types.end()) return;
-    std::string wanted;
-    for (const std::string_view each : types) wanted.append(wanted.empty() ? "" : " or ").append(each);
-    throw Failure("its " + place + " is " + type + ", but " + std::string(what) + " is " + wanted);
+    throw Failure("its " + place + " is " + type + ", but " + std::string(what) + " is " +
+                  core::listed({types.begin(), types.size()}));
 }
 
 void Accessor::expectUnsigned(std::string_view what) const {

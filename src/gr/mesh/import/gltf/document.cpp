@@ -1,6 +1,7 @@
 #include "gr/mesh/import/gltf/document.h"
 
 #include "gr/mesh/import/gltf/words.h"
+#include "gr/mesh/import/text.h"
 
 #include <algorithm>
 #include <array>
@@ -67,16 +68,10 @@ void checkVersion(const JsonObject& root) {
         throw Failure("it needs a reader of glTF " + inQuotes(least) + ", and this one is of \"2.0\"");
 }
 
-// Both kinds of UTF-16 have a zero byte in the first two characters, whatever begins the file.
-void refuseUtf16(std::string_view text) {
-    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || text.substr(0, 2).find('\0') < 2)
-        throw Failure("it is UTF-16 text, and glTF's is UTF-8");
-}
-
 }  // namespace
 
 GltfDocument::GltfDocument(std::string_view text) {
-    refuseUtf16(text);
+    if (isUtf16(text)) throw Failure("it is UTF-16 text, and glTF's is UTF-8");
     json_ = std::make_unique<nlohmann::json>(parseJson(text));
     root_.emplace(*json_, "");
     checkVersion(*root_);
