@@ -204,6 +204,17 @@ TEST(LargeOutline, MayBeACastle) {
     }
 }
 
+// It comes to one place twice: a corner that lies just on the side of another one's triangle is in its way only until
+// it has been cut free. Seen to fail where such corners are not asked again.
+TEST(LargeOutline, MayTouchItself) {
+    const Outline outline{{3, 6}, {2, 6}, {2, 5}, {2, 4}, {1, 3}, {2, 2}, {3, 2},  {3, 3},  {4, 3},  {4, 4},
+                          {5, 4}, {5, 5}, {7, 6}, {6, 4}, {6, 3}, {7, 3}, {7, 4},  {8, 4},  {9, 4},  {9, 5},
+                          {8, 5}, {7, 5}, {7, 6}, {8, 6}, {8, 7}, {9, 7}, {10, 7}, {10, 8}, {10, 9}, {9, 9},
+                          {9, 8}, {8, 8}, {7, 8}, {6, 8}, {5, 8}, {5, 9}, {4, 9},  {4, 8},  {3, 8},  {3, 7}};
+    ASSERT_GT(outline.size(), fewCorners);
+    expectCut(outline, "an outline that touches itself");
+}
+
 TEST(LargeOutline, ThatWindsTwiceIsFound) {
     Outline outline;
     for (int i = 0; i < 2000; ++i) outline.push_back(polar(4 * M_PI * i / 2000, 1 + i / 2000.));
