@@ -38,7 +38,12 @@ public:
     }
 
     void set(SurfacePoint<Real>& surface, bool wantsCoordinates) const {
-        std::visit([&](const auto& shape) { set(shape, surface, wantsCoordinates); }, instance_.shape);
+        std::visit(
+            [&]<class S>(const S& shape) {
+                // Nothing meets a CSG object but by its operands.
+                if constexpr (!std::is_same_v<S, const Csg*>) set(shape, surface, wantsCoordinates);
+            },
+            instance_.shape);
     }
 
 private:
@@ -46,7 +51,9 @@ private:
     void set(const Shape& shape, SurfacePoint<Real>& surface, bool wantsCoordinates) const {
         constexpr bool hasAxisFaces = std::remove_cvref_t<std::remove_pointer_t<Shape>>::isAxisFaced;
         const Vec3 error = instance_.template errorAt<Real>(ray_.origin + ray_.direction * hit_.t, hasAxisFaces);
-        const ShapePoint<Real> point = pointOf(shape, instance_.place.toObject(ray_), marginOf(error));
+        const ShapePoint<Real> own = pointOf(shape, instance_.place.toObject(ray_), marginOf(error));
+        const ShapePoint<Real> point =
+            instance_.isInverted ? ShapePoint<Real>{own.position, -own.normal, !own.front} : own;
         const bool isInPlace = instance_.place.isInPlace();
         const core::Transform map = instance_.place.objectFromWorld();
         const Vec3 position = isInPlace ? point.position : instance_.place.worldFromObject().point(point.position);
@@ -60,7 +67,7 @@ private:
         if constexpr (std::is_same_v<Shape, Square>)
             surface.light = core::select(here_, Real(static_cast<float>(shape.light)), surface.light);
         Coordinates<Real> coordinates;
-        if (wantsCoordinates) coordinates = coordinatesOf(shape, point);
+        if (wantsCoordinates) coordinates = coordinatesOf(shape, own);
         Vec3 shadingNormal = normal;
         if constexpr (std::is_same_v<Shape, const Polyhedron*>)
             if (shape->hasNormals()) smooth(*shape, point, normal, shadingNormal, coordinates, surface.isSmooth);
@@ -89,7 +96,16 @@ private:
         if constexpr (std::is_same_v<Shape, const Polyhedron*>)
             return shape->template surfaceAt<Real>(ray, hit_, margin);
         else
-            return shape.surfaceAt(ray, hit_.t, margin);
+            return shape.surfaceAt(ray, hit_.t, margin, isFront(shape, ray));
+    }
+    // Whether the ray comes from outside of a solid.
+    template<class Shape>
+    Mask isFront(const Shape& shape, const core::Ray<Real>& ray) const {
+        if (instance_.isOperand) return core::isLess(hit_.triangle, core::UInt<Real>(HitOf<Real>::leaves));
+        if constexpr (Shape::isSolid)
+            return shape.level(ray.origin) > Real(0);
+        else
+            return Real(0) <= Real(0);
     }
     template<class Shape>
     static Coordinates<Real> coordinatesOf(const Shape& shape, const ShapePoint<Real>& point) {
@@ -103,7 +119,7 @@ private:
     // which side of a face something is on.
     void smooth(const Polyhedron& mesh, const ShapePoint<Real>& point, const Vec3& faceNormal, Vec3& shadingNormal,
                 Coordinates<Real>& coordinates, Mask& isSmooth) const {
-        const Vec3 given = mesh.shadingNormal<Real>(hit_);
+        const Vec3 outward = mesh.shadingNormal<Real>(hit_), given = instance_.isInverted ? -outward : outward;
         const Vec3 normal = glm::normalize(instance_.place.objectFromWorld().transposed(given));
         const Mask isGiven = here_ & (glm::dot(normal, faceNormal) > Real(0));
         if (!core::any(isGiven)) return;

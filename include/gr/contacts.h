@@ -11,10 +11,13 @@ namespace gr {
 
 struct Node;
 
+inline constexpr std::uint32_t ofNoCsg = ~0u;
+
 struct FlatObject {
     std::uint32_t instance;
     glm::dmat4 matrix;  // from its shape's own space to the scene's
     const Node* node;
+    std::uint32_t csg = ofNoCsg;  // the number of the CSG object that it is an operand of
 };
 // Whether contacts are looked for at a shape: it has flat sides, but not as many as a mesh of a thousand triangles.
 bool hasFlatSides(const Shape& shape);

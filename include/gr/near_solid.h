@@ -9,7 +9,7 @@ namespace gr {
 class NearSolid {
 public:
     // near: where all the rays are.
-    NearSolid(const Instance& instance, const core::Bounds& near);
+    NearSolid(const Scene& scene, const Instance& instance, const core::Bounds& near);
 
     // Whether none of them can cross the solid.
     bool isBeyond() const { return isBeyond_; }
@@ -29,6 +29,7 @@ private:
     };
     void addNodes(std::vector<Triangle>& triangles, std::size_t begin, std::size_t end);
 
+    const Scene* scene_;
     const Instance* instance_;
     const Polyhedron* mesh_ = nullptr;  // or null
     std::vector<std::uint32_t> triangles_;

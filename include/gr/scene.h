@@ -20,11 +20,14 @@ namespace gr {
 
 class Database;
 
-// A shape at one place. Nodes' sizes and positions are part of the placement.
+// A shape at one place. Nodes' sizes and positions are part of the placement. The operands of a CSG object are
+// instances, too, and what a ray is told to have met of it is one of these.
 struct Instance {
     Placement place;
     Shape shape;
-    std::uint32_t material = 0;  // index into Scene::materials
+    std::uint32_t material : 30 = 0;  // index into Scene::materials; of a CSG object what is inside of it
+    std::uint32_t isOperand : 1 = 0;  // of a CSG object: rays meet it only by way of that
+    std::uint32_t isInverted : 1 = 0;  // what is outside of it is what the CSG object holds
     // How far single precision may put a point of the surface off its true place along any axis, there and back from
     // object space: error + errorPerUnit() * the point's largest world coordinate.
     float error = 0;
@@ -43,7 +46,7 @@ struct Instance {
     // For who knows what the shape is: of many rays that ask, none has to look.
     template<class Real>
     core::Vec3<Real> errorAt(const core::Vec3<Real>& point, bool hasAxisFaces) const {
-        if (hasAxisFaces && !place.isGeneral()) return alignedErrorAt(point);
+        if (hasAxisFaces && !place.isGeneral() && !isOperand) return alignedErrorAt(point);
         return core::Vec3<Real>(Real(error) + Real(errorPerUnit()) * core::largestComponent(point));
     }
 
@@ -83,6 +86,8 @@ public:
     std::vector<std::optional<materials::Interior>> interiors;  // of the materials
     Lights lights;
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
+    std::vector<std::unique_ptr<Csg>> csgs;
+    std::shared_ptr<MeshTrees> operandMeshes;  // in them
     glm::dvec3 origin{0};  // in the world; all other coordinates here are relative to it
     std::vector<std::string> warnings;  // of what single precision cannot show, each a text for the user
     // What many rays at once are tested against, one after the other: the flat faces, if there are few, and some

@@ -13,6 +13,7 @@ namespace gr {
 // adds none, nor does what is no solid. A ray that starts or ends on the surface starts or ends outside.
 // An endless ray leaves a closed mesh as often as it enters it, and once more for each time that its start is in it,
 // also where it runs through edges and vertices.
-void addCrossings(const Instance& instance, const core::Rayf& ray, std::vector<SolidCrossing>& crossings);
+void addCrossings(const Scene& scene, const Instance& instance, const core::Rayf& ray,
+                  std::vector<SolidCrossing>& crossings);
 
 }  // namespace gr

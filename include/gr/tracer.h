@@ -32,7 +32,7 @@ public:
     HitOf<Real> nearest(const core::Ray<Real>& ray, const Mask& alive, TraversalCounts& counts) const {
         counts.tests += testsEach() * static_cast<std::uint64_t>(core::countOf(alive));
         HitOf<Real> hit = faces_.nearest(ray);
-        if (bodies_.count > 0) AllTracer<Real>(scene_, bodies_).nearest(ray, hit);
+        if (bodies_.count > 0) AllTracer<Real>(scene_, bodies_).nearest(ray, alive, hit);
         hit.t = core::select(alive, hit.t, Real(core::infinity));
         if (asksAccelerator()) nearestOneByOne(ray, alive, hit, counts);
         return hit;
@@ -42,7 +42,7 @@ public:
     Mask occluded(const core::Ray<Real>& ray, const Mask& asked, TraversalCounts& counts) const {
         counts.tests += testsEach() * static_cast<std::uint64_t>(core::countOf(asked));
         Mask isMet = faces_.occluded(ray);
-        if (bodies_.count > 0) isMet = isMet | AllTracer<Real>(scene_, bodies_).occluded(ray);
+        if (bodies_.count > 0) isMet = isMet | AllTracer<Real>(scene_, bodies_).occluded(ray, asked & !isMet);
         const Mask rest = asked & !isMet;
         if (asksAccelerator() && core::any(rest)) isMet = isMet | occludedOneByOne(ray, rest, counts);
         return asked & isMet;
@@ -99,7 +99,7 @@ private:
     template<class F>
     auto withRays(const core::Ray<Real>& ray, const Mask& asked, const Real& end, F&& f) const {
         if (onlyMesh_ != nullptr) return f(LaneMeshRays<Real>(*onlyMesh_, ray, asked, end));
-        if (tree_ != nullptr) return f(LaneTreeRays<Real>(*tree_, ray, asked, end));
+        if (tree_ != nullptr) return f(LaneTreeRays<Real>(scene_, *tree_, ray, asked, end));
         return f(OtherRays{accelerator_, LaneRays<Real>(ray), core::bitsOf(asked & (end > Real(0)))});
     }
 
@@ -107,20 +107,13 @@ private:
                          TraversalCounts& counts) const {
         withRays(ray, alive, hit.t, [&](const auto& rays) {
             if (rays.lanes() == 0) return;
-            core::LaneArray<Real> t(hit.t), b1(hit.b1), b2(hit.b2);
-            std::uint32_t instance[core::laneCount<Real>], triangle[core::laneCount<Real>];
-            core::storeUInt<Real>(hit.instance, instance);
-            core::storeUInt<Real>(hit.triangle, triangle);
+            HitLanes<Real> hits(hit);
             core::forEachLane(rays.lanes(), [&](int lane) {
-                Hit found{t[lane], instance[lane], triangle[lane], b1[lane], b2[lane]};
+                Hit found = hits.at(lane);
                 rays.nearest(lane, found, counts);
-                t[lane] = found.t;
-                b1[lane] = found.b1;
-                b2[lane] = found.b2;
-                instance[lane] = found.instance;
-                triangle[lane] = found.triangle;
+                hits.set(lane, found);
             });
-            hit = {t.real(), core::loadUInt<Real>(instance), core::loadUInt<Real>(triangle), b1.real(), b2.real()};
+            hit = hits.hit();
         });
     }
 
@@ -137,7 +130,7 @@ private:
 
     const Scene& scene_;
     const Accelerator& accelerator_;
-    const TreeAccelerator* tree_;
+    const ObjectTree* tree_;
     const MeshPack* onlyMesh_;  // of the tree, or null
     bool wantsCoordinates_;
     FaceTracer<Real> faces_;

@@ -1,5 +1,7 @@
 #include "core/memory.h"
+#include "gr/accelerators/object_tree.h"
 #include "gr/contacts.h"
+#include "gr/csg/closed.h"
 #include "gr/database/database.h"
 #include "gr/database/object_count.h"
 #include "gr/far_places.h"
@@ -30,6 +32,34 @@ void checkMemory(const Node& top, double objects) {
                               " of memory; " + core::memoryText(available) + " are free");
 }
 
+std::optional<CsgOperation> operationOf(const NodeContent& content) {
+    return std::visit(
+        []<class Content>(const Content&) -> std::optional<CsgOperation> {
+            if constexpr (IsCsgNode<Content>)
+                return Content::operation;
+            else
+                return std::nullopt;
+        },
+        content);
+}
+
+// Whether a node shows nothing but what it holds.
+bool isInner(const NodeContent& content) {
+    return std::holds_alternative<TransformNode>(content) || operationOf(content);
+}
+
+bool mayBeSolid(const NodeContent& content) {
+    if (std::holds_alternative<PolyhedronNode>(content)) return true;
+    return std::visit(
+        []<class Content>(const Content& node) {
+            if constexpr (CompleteShapeNode<Content>)
+                return decltype(node.shape())::isSolid;
+            else
+                return false;
+        },
+        content);
+}
+
 class Compiler {
 public:
     // hasInteriors: whether anything may be transparent; else nobody asks for flat objects.
@@ -39,7 +69,7 @@ public:
     Scene compile(const Node& top, const glm::dvec3& origin) {
         scene_.origin = origin;
         scene_.instances.reserve(static_cast<std::size_t>(objects_.at(&top)));
-        open_.push_back({&top, glm::translate(glm::dmat4(1), -origin), nullptr, false});
+        open_.push_back({&top, glm::translate(glm::dmat4(1), -origin), nullptr, false, CsgTree::none});
         while (!open_.empty()) {
             const Visit visit = open_.back();
             open_.pop_back();
@@ -55,35 +85,132 @@ public:
     const FarPlaces& farPlaces() const { return far_; }
 
 private:
-    // A node still to be looked at, with what comes from above.
+    // A CSG object of which not all operands are known.
+    struct OpenCsg {
+        OpenCsg(const Node* node, std::uint32_t first) : node(node), first(first) {}
+
+        const Node* node;  // its top
+        std::uint32_t first;  // its first operand's instance
+        CsgTree tree;
+    };
+
+    // A node still to be looked at, with what comes from above. No node: that the CSG object is complete.
     struct Visit {
         const Node* node;
         glm::dmat4 parentMatrix;
         const NamedMaterial* parentMaterial;
         bool withSiblings;  // whether the siblings after it follow
+        std::uint32_t csgParent;  // the node of the CSG object's tree that it is a child of, or none
     };
 
     void expand(const Visit& visit) {
+        if (visit.node == nullptr) return finishCsg();
         const Node& node = *visit.node;
         const glm::dmat4 matrix = node.matrix ? visit.parentMatrix * *node.matrix : visit.parentMatrix;
         const NamedMaterial* material = node.material != nullptr ? node.material : visit.parentMaterial;
         // What is pushed last comes next: children before siblings, in the order they were made.
         if (visit.withSiblings && node.next != nullptr)
-            open_.push_back({node.next, visit.parentMatrix, visit.parentMaterial, true});
-        if (node.firstChild != nullptr) open_.push_back({node.firstChild, matrix, material, true});
+            open_.push_back({node.next, visit.parentMatrix, visit.parentMaterial, true, visit.csgParent});
+        const std::uint32_t csg = csgNode(node, visit.csgParent);
+        if (node.firstChild != nullptr) open_.push_back({node.firstChild, matrix, material, true, csg});
         if (const auto* instance = std::get_if<InstanceNode>(&node.content)) {
             // Instances of nothing could take for ever.
-            if (objects_.at(instance->target) > 0) open_.push_back({instance->target, matrix, material, false});
-        } else if (!std::holds_alternative<TransformNode>(node.content)) {
+            if (objects_.at(instance->target) > 0) open_.push_back({instance->target, matrix, material, false, csg});
+        } else if (!isInner(node.content)) {
             const glm::dmat4 place =
                 std::visit([&](const auto& content) { return add(content, matrix); }, node.content);
+            if (csg != CsgTree::none) addOperand(node, csg);
             finish(node, material, place);
         }
+    }
+
+    // The node of a CSG object's tree whose children the node's are, or none. Whatever may have several is the union of
+    // them.
+    std::uint32_t csgNode(const Node& node, std::uint32_t parent) {
+        const std::optional<CsgOperation> operation = operationOf(node.content);
+        if (operation && parent == CsgTree::none) {
+            csg_.emplace(&node, static_cast<std::uint32_t>(scene_.instances.size()));
+            open_.push_back({});
+        } else if (parent == CsgTree::none) {
+            return parent;
+        }
+        return csg_->tree.addNode(parent, operation.value_or(CsgOperation::isUnion));
+    }
+
+    void addOperand(const Node& node, std::uint32_t parent) {
+        checkSolid(node);
+        csg_->tree.addOperand(parent);
+        Instance& instance = scene_.instances.back();
+        instance.isOperand = 1;
+        instance.isInverted = csg_->tree.isInverted(csg_->tree.operandCount() - 1);
+    }
+
+    void checkSolid(const Node& node) {
+        if (!mayBeSolid(node.content))
+            throw core::Error(
+                "CSG", "SOLID", node.path(),
+                "\"" + node.path() + "\" is no solid and cannot be an operand of \"" + csg_->node->path() + "\"");
+        const auto* mesh = std::get_if<PolyhedronNode>(&node.content);
+        if (mesh == nullptr || !checkedMeshes_.insert(mesh->polyhedron.get()).second) return;
+        if (const std::size_t open = openEdges(*mesh->polyhedron); open > 0)
+            throw core::Error("CSG", "OPEN", node.path(),
+                              "\"" + node.path() +
+                                  "\" is not closed, so it is no solid and cannot be an operand of \"" +
+                                  csg_->node->path() + "\": " + std::to_string(open) +
+                                  (open == 1 ? " edge is" : " edges are") + " open");
+    }
+
+    // Its operands are the newest instances.
+    void finishCsg() {
+        const OpenCsg open = std::move(*csg_);
+        csg_.reset();
+        ++csgCount_;
+        if (open.tree.operandCount() == 0) return;
+        CsgTree tree = open.tree;
+        tree.finish();
+        auto csg = std::make_unique<Csg>(std::move(tree), open.first);
+        csg->place(scene_);
+        if (csg->bounds().isEmpty()) return;
+        if (!std::isfinite(csg->bounds().reach()))
+            throw core::Error(
+                "CSG", "ENDLESS", open.node->path(),
+                "\"" + open.node->path() +
+                    "\" has no end: what a plane bounds must be cut off by an operand that has one, as in "
+                    "a gr_intersection with a box");
+        const std::uint32_t material = materialInside(open);
+        addInstance(csg.get(), glm::dmat4(1));
+        scene_.instances.back().material = material;
+        scene_.csgs.push_back(std::move(csg));
+    }
+
+    // The one that has an interior, if any has.
+    std::uint32_t materialInside(const OpenCsg& open) const {
+        std::uint32_t inside = scene_.instances[open.first].material;
+        for (std::size_t i = open.first; i < scene_.instances.size(); ++i) {
+            const std::uint32_t material = scene_.instances[i].material;
+            if (!scene_.interiors[material] || material == inside) continue;
+            if (scene_.interiors[inside])
+                throw core::Error("CSG", "INTERIORS", open.node->path(),
+                                  "\"" + open.node->path() + "\" has operands of two transparent materials, " +
+                                      nameOf(inside) + " and " + nameOf(material) +
+                                      ", but one solid can hold only one");
+            inside = material;
+        }
+        return inside;
+    }
+    std::string nameOf(std::uint32_t material) const {
+        for (const auto& [named, index] : materialIndex_)
+            if (index == material && named != nullptr) return "\"" + named->name + "\"";
+        return "none";
     }
 
     // Each adds an instance and returns its place.
     glm::dmat4 add(const TransformNode&, const glm::dmat4& matrix) { return matrix; }
     glm::dmat4 add(const InstanceNode&, const glm::dmat4& matrix) { return matrix; }
+    template<IsCsgNode Node>
+    glm::dmat4 add(const Node&, const glm::dmat4& matrix) {
+        return matrix;
+    }
     template<CompleteShapeNode Node>
     glm::dmat4 add(const Node& node, const glm::dmat4& matrix) {
         return addInstance(node.shape(), node.placeIn(matrix));
@@ -119,8 +246,9 @@ private:
         if (isNew) addMaterial(material != nullptr ? material->material : materials::Material{});
         instance.material = entry->second;
         far_.note(node, instance.shape, place);
-        if (hasInteriors_ && flat_.size() < mostFlatObjects && hasFlatSides(instance.shape))
-            flat_.push_back({static_cast<std::uint32_t>(scene_.instances.size() - 1), place, &node});
+        if (hasInteriors_ && flat_.size() < mostFlatObjects && hasFlatSides(instance.shape) && !instance.isInverted)
+            flat_.push_back({static_cast<std::uint32_t>(scene_.instances.size() - 1), place, &node,
+                             instance.isOperand ? csgCount_ : ofNoCsg});
     }
 
     void addMaterial(const materials::Material& material) {
@@ -137,6 +265,9 @@ private:
     std::vector<Visit> open_;
     std::unordered_map<const NamedMaterial*, std::uint32_t> materialIndex_;
     std::unordered_set<const Polyhedron*> polyhedra_;
+    std::optional<OpenCsg> csg_;
+    std::uint32_t csgCount_ = 0;  // of those that are complete
+    std::unordered_set<const Polyhedron*> checkedMeshes_;  // those that are closed
 };
 
 constexpr std::size_t mostWarnings = 8;
@@ -145,7 +276,7 @@ constexpr std::size_t mostWarnings = 8;
 glm::dvec3 originFor(const std::vector<core::Bounds>& boxes, const Scene& scene) {
     core::Bounds all;
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (!isEndless(scene.instances[i].shape)) all.include(boxes[i]);
+        if (!isEndless(scene.instances[i].shape) && !scene.instances[i].isOperand) all.include(boxes[i]);
     return all.isEmpty() ? glm::dvec3(0) : nearOrigin(glm::dvec3(all.low), glm::dvec3(all.high));
 }
 
@@ -154,6 +285,15 @@ std::vector<core::Bounds> boundsOf(const Scene& scene) {
     std::transform(scene.instances.begin(), scene.instances.end(), boxes.begin(),
                    [](const Instance& instance) { return instance.bounds(); });
     return boxes;
+}
+
+// When all operands stand where they stay.
+void finishCsgs(Scene& scene, std::vector<core::Bounds>& boxes) {
+    if (scene.csgs.empty()) return;
+    scene.operandMeshes = std::make_shared<MeshTrees>(nullptr);
+    for (const auto& csg : scene.csgs) csg->finish(scene, *scene.operandMeshes);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (std::holds_alternative<const Csg*>(scene.instances[i].shape)) boxes[i] = scene.instances[i].bounds();
 }
 
 }  // namespace
@@ -187,6 +327,7 @@ Scene compile(const Database& database, std::string_view path, std::span<const s
                 scene.lights.of<Kind>().push_back(one);
             },
             light);
+    finishCsgs(scene, boxes);
     sortForManyRays(scene, boxes);
     return scene;
 }

@@ -175,7 +175,8 @@ std::vector<Contact> contactsOf(const Scene& scene, std::span<const FlatObject> 
         for (std::size_t k = 0; k < objects.size(); ++k) {
             const FlatObject& b = objects[k];
             if (!budget.allows(1)) return contacts;
-            if ((k < i && isTransparent(b)) || !isNear(a, b)) continue;
+            const bool areOfOne = a.csg != ofNoCsg && a.csg == b.csg && i != k;
+            if (areOfOne || (k < i && isTransparent(b)) || !isNear(a, b)) continue;
             const std::vector<Side> others = sidesOf(b, scene.instances[b.instance]);
             if (!budget.allows(sides.size() * others.size())) return contacts;
             if (const std::optional<Gap> gap = widestGap(sides, others, i == k))

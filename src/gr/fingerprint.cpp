@@ -54,8 +54,10 @@ void addInstance(Hash& hash, const Instance& instance, const Numbers& polyhedra)
     hash.add(instance.place.worldFromObject());
     hash.add(std::uint64_t{instance.shape.index()} << 32 | instance.material);
     const auto addShape = [&]<class S>(const S& shape) {
-        if constexpr (std::is_pointer_v<S>)
+        if constexpr (std::is_same_v<S, const Polyhedron*>)
             hash.add(polyhedra.at(shape));
+        else if constexpr (std::is_same_v<S, const Csg*>)
+            shape->tree().forEachNumber([&](std::uint32_t number) { hash.add(std::uint64_t{number}); });
         else if constexpr (std::is_same_v<S, Square>)
             hash.add(std::uint64_t{shape.light});
         else

@@ -60,10 +60,15 @@ glm::dmat4 matrixOf(const core::Transform& map) {
 }
 
 // Makes an object larger about its middle, so that each side moves by so much in the world, but by no more than a
-// thousandth of half its size.
+// thousandth of half its size. What has no end moves by so much.
 void grow(Instance& instance, double by, Scene& scene) {
     constexpr double most = 1. / 1024;
     const glm::dmat4 matrix = matrixOf(instance.place.worldFromObject());
+    if (isEndless(instance.shape)) {
+        const double length = glm::length(glm::dvec3(matrix[1]));
+        placeAt(instance, glm::translate(matrix, glm::dvec3(0, by / length, 0)), scene);
+        return;
+    }
     const core::Bounds box = boundsOf(instance.shape);
     const glm::dvec3 middle = 0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)), half = 0.5 * glm::dvec3(box.size());
     glm::dvec3 factor(1);
@@ -72,6 +77,11 @@ void grow(Instance& instance, double by, Scene& scene) {
         if (length > 0) factor[axis] += std::min(by / length, most);
     }
     placeAt(instance, glm::translate(glm::scale(glm::translate(matrix, middle), factor), -middle), scene);
+}
+
+// What has no end is cut off only as an operand.
+bool mayGrow(const Instance& instance) {
+    return !isEndless(instance.shape) || instance.isOperand;
 }
 
 }  // namespace
@@ -86,7 +96,7 @@ std::vector<float> growTouching(Scene& scene, std::span<const Contact> contacts,
         for (const std::uint32_t i : pair) most = std::max(most, beyondRounding(double{boxes[i].reach()}));
         const double by = contact.gap + std::min(2 * contact.error, most);
         for (const std::uint32_t i : pair)
-            if (scene.interiors[scene.instances[i].material] && !isEndless(scene.instances[i].shape))
+            if (scene.interiors[scene.instances[i].material] && mayGrow(scene.instances[i]))
                 grown[i] = std::max(grown[i], static_cast<float>(by));
     }
     for (std::size_t i = 0; i < grown.size(); ++i) {
@@ -94,6 +104,7 @@ std::vector<float> growTouching(Scene& scene, std::span<const Contact> contacts,
         grow(scene.instances[i], double{grown[i]}, scene);
         boxes[i] = scene.instances[i].bounds();
     }
+    for (const auto& csg : scene.csgs) csg->place(scene);
     return grown;
 }
 

@@ -20,8 +20,7 @@ bool takeLargest(Scene& scene, std::vector<core::Bounds>& boxes) {
     std::size_t largest = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         all.include(boxes[i]);
-        const bool isMesh = scene.instances[scene.bodies[i]].shape.index() == 0;
-        if (isMesh || surface(boxes[i]) <= most) continue;
+        if (isOneByOne(scene.instances[scene.bodies[i]].shape) || surface(boxes[i]) <= most) continue;
         most = surface(boxes[i]);
         largest = i;
     }
@@ -38,6 +37,7 @@ void sortForManyRays(Scene& scene, const std::vector<core::Bounds>& all) {
     constexpr std::size_t mostLarge = 12;
     scene.faces = facesOf(scene);
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        if (scene.instances[i].isOperand) continue;
         if (isEndless(scene.instances[i].shape))
             scene.large.push_back(i);
         else if (scene.faces.isFlat.empty() || !scene.faces.isFlat[i])

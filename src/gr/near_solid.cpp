@@ -18,8 +18,8 @@ core::Bounds inObjectSpace(const Instance& instance, const core::Bounds& box) {
 
 }  // namespace
 
-NearSolid::NearSolid(const Instance& instance, const core::Bounds& near)
-    : instance_(&instance), isBeyond_(!touch(instance.bounds(), near)) {
+NearSolid::NearSolid(const Scene& scene, const Instance& instance, const core::Bounds& near)
+    : scene_(&scene), instance_(&instance), isBeyond_(!touch(instance.bounds(), near)) {
     const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape);
     if (isBeyond_ || mesh == nullptr) return;
     mesh_ = *mesh;
@@ -61,7 +61,7 @@ void NearSolid::addNodes(std::vector<Triangle>& triangles, std::size_t begin, st
 }
 
 void NearSolid::addCrossings(const core::Rayf& ray, std::vector<SolidCrossing>& crossings) const {
-    if (mesh_ == nullptr) return gr::addCrossings(*instance_, ray, crossings);
+    if (mesh_ == nullptr) return gr::addCrossings(*scene_, *instance_, ray, crossings);
     const Line line(instance_->place.toObject(ray));
     if (!line.goesAnywhere()) return;
     const MeshLine meshLine(line);

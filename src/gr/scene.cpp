@@ -1,5 +1,6 @@
 #include "gr/scene.h"
 
+#include "gr/accelerators/object_tree.h"
 #include "gr/body_surface.h"
 
 #include <algorithm>
@@ -31,6 +32,8 @@ std::size_t Scene::bytes() const {
                         materials.capacity() * sizeof(materials::Material) +
                         interiors.capacity() * sizeof(interiors[0]) + lights.bytes();
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
+    for (const auto& csg : csgs) bytes += csg->bytes();
+    if (operandMeshes) bytes += operandMeshes->bytes();
     bytes += (faces.parallelograms.capacity() + faces.triangles.capacity()) * sizeof(Face) +
              (large.capacity() + bodies.capacity()) * sizeof(std::uint32_t);
     return bytes;

@@ -10,6 +10,11 @@ Tcl_Obj* makeTransform(Call& call) {
     return create(call, gr::TransformNode{});
 }
 
+template<gr::IsCsgNode Content>
+Tcl_Obj* makeCsg(Call& call) {
+    return create(call, Content{});
+}
+
 Tcl_Obj* makeInstance(Call& call) {
     auto& database = call.session.database;
     return textObject(database.createInstance(call.words.text(0), call.words.text(1), call.words.text(2)).path());
@@ -66,8 +71,14 @@ Tcl_Obj* print(Call& call) {
     return textObject(call.session.database.print(call.words.size() == 1 ? call.words.text(0) : ":"));
 }
 
-constexpr std::array<Command, 9> rows{{
+constexpr std::array<Command, 12> rows{{
     {"gr_transform", "", "pname name", 2, 2, makeTransform, "makes an inner node, which holds others"},
+    {"gr_union", "", "pname name", 2, 2, makeCsg<gr::UnionNode>,
+     "makes an inner node whose children become one solid: what any of them holds"},
+    {"gr_intersection", "", "pname name", 2, 2, makeCsg<gr::IntersectionNode>,
+     "makes an inner node whose children become one solid: what all of them hold"},
+    {"gr_difference", "", "pname name", 2, 2, makeCsg<gr::DifferenceNode>,
+     "makes an inner node whose children become one solid: the first, less all the others"},
     {"gr_instance", "", "pname name target", 3, 3, makeInstance, "places the subtree at the path target once more"},
     {"gr_als_planar", "", "pname name {r g b} {x y z} size", 5, 5, makeAreaLight,
      "makes a square area light centred at {x y z} in the x-z plane, with radiance {r g b} from its -y side"},

@@ -23,7 +23,7 @@ Scene sceneOf(const NodeContent& content, const std::function<void(Database&)>& 
 // Exits less entries.
 int exitsOf(const Scene& scene, const core::Rayf& ray) {
     std::vector<SolidCrossing> crossings;
-    addCrossings(scene.instances[0], ray, crossings);
+    addCrossings(scene, scene.instances[0], ray, crossings);
     int exits = 0;
     for (const SolidCrossing& crossing : crossings) {
         exits += crossing.enters ? -1 : 1;
@@ -41,7 +41,7 @@ TEST(SolidCrossings, TellWhetherAPointIsInABall) {
     for (const core::Vec3f& direction : {core::Vec3f(1, 0, 0), core::Vec3f(-1, 0, 0), core::Vec3f(0, 1, 0)})
         EXPECT_EQ(exitsOf(scene, {{1, 0, 0}, direction}), 0) << "on the surface";
     std::vector<SolidCrossing> crossings;
-    addCrossings(scene.instances[0], {{4, 0, 0}, {-2, 0, 0}}, crossings);
+    addCrossings(scene, scene.instances[0], {{4, 0, 0}, {-2, 0, 0}}, crossings);
     ASSERT_EQ(crossings.size(), 1u);
     EXPECT_NEAR(crossings[0].t, 1.5, 1e-12);
 }
@@ -54,7 +54,7 @@ TEST(SolidCrossings, TellWhetherAPointIsInABox) {
     for (const core::Vec3f& direction : {core::Vec3f(1, 0, 0), core::Vec3f(-1, 0, 0), core::Vec3f(0, 1, 0)})
         EXPECT_EQ(exitsOf(scene, {{1, 2, 2}, direction}), 0) << "on the surface";
     std::vector<SolidCrossing> crossings;
-    addCrossings(scene.instances[0], {{2, 2, 2}, {0, 0.5f, 1}}, crossings);
+    addCrossings(scene, scene.instances[0], {{2, 2, 2}, {0, 0.5f, 1}}, crossings);
     ASSERT_EQ(crossings.size(), 1u);
     EXPECT_NEAR(crossings[0].t, 6, 1e-12);
 }
@@ -98,7 +98,7 @@ TEST(SolidCrossings, TellOnWhichSideOfEachShapeTheEndsAre) {
             const bool endsBelow = isEndless(scene.instances[0].shape) && to.y < from.y;
             ASSERT_EQ(exitsOf(scene, {from, to - from}), isIn - endsBelow) << solid.name;
             std::vector<SolidCrossing> crossings;
-            addCrossings(scene.instances[0], {from, to - from, 1}, crossings);
+            addCrossings(scene, scene.instances[0], {from, to - from, 1}, crossings);
             for (const SolidCrossing& crossing : crossings) {
                 // Near there is a place within, and one without.
                 const glm::dvec3 at = glm::dvec3(from) + glm::dvec3(to - from) * crossing.t;
@@ -229,12 +229,12 @@ TEST(NearSolid, CrossesAsTheWholeSolidDoes) {
                                     [&](Database& database) { squeezeAtRandom(database, ":solid", 2, 1, random); });
         const core::Vec3f eye(randomPoint(random, -1, 1));
         const float radius = static_cast<float>(random.next());
-        const NearSolid near(scene.instances[0], core::Bounds{eye, eye}.widened(radius));
+        const NearSolid near(scene, scene.instances[0], core::Bounds{eye, eye}.widened(radius));
         beyond += near.isBeyond();
         for (int k = 0; k < 20; ++k) {
             const core::Rayf ray{eye, core::Vec3f(randomPoint(random, -radius, radius)), 1};
             std::vector<SolidCrossing> all, found;
-            addCrossings(scene.instances[0], ray, all);
+            addCrossings(scene, scene.instances[0], ray, all);
             near.addCrossings(ray, found);
             ASSERT_EQ(found.size(), all.size());
             const auto isBefore = [](const SolidCrossing& a, const SolidCrossing& b) { return a.t < b.t; };

@@ -86,11 +86,11 @@ void expectSameHits(const std::vector<Numbers<n>>& rays, const Formula& formula)
     EXPECT_NEAR(shareOfHits(atTheEnd), 1 / 3., 1e-12);
 }
 
-// All of the list but meshes.
+// All of the list but meshes and CSG objects.
 template<class>
 struct TypesOf;
 template<class... Shapes>
-struct TypesOf<std::variant<const gr::Polyhedron*, Shapes...>> {
+struct TypesOf<std::variant<const gr::Polyhedron*, const gr::Csg*, Shapes...>> {
     using Type = testing::Types<Shapes...>;
 };
 
@@ -114,6 +114,32 @@ TYPED_TEST(LanesShape, IsHitTheSameWhereLanesHoldShapes) {
     });
 }
 
+// Which parts of a line a solid holds, as far as they are ahead.
+TYPED_TEST(LanesShape, TellsTheSameSpans) {
+    if constexpr (!TypeParam::isSolid)
+        GTEST_SKIP() << "no solid";
+    else
+        expectSame(rays(14), []<class Real>(const std::array<Real, 7>& x) {
+            const Real zero(0);
+            std::array<Real, 4> all{zero, zero, zero, zero};
+            std::size_t place = 0;
+            for (const gr::Interval<Real>& span : TypeParam{}.spans(rayAt(x.data()))) {
+                const core::Mask<Real> isAhead = span.exists & (span.leave > zero);
+                all[place++] = core::select(isAhead, core::max(span.enter, zero), Real(-1));
+                all[place++] = core::select(isAhead, span.leave, Real(-1));
+            }
+            return all;
+        });
+}
+
+template<class Shape, class Real>
+core::Mask<Real> isFront(const Shape& shape, const core::Ray<Real>& ray) {
+    if constexpr (Shape::isSolid)
+        return shape.level(ray.origin) > Real(0);
+    else
+        return Real(0) <= Real(0);
+}
+
 // The point of the surface, and where on it that is; of a miss nothing is said.
 TYPED_TEST(LanesShape, TellsTheSameSurface) {
     expectSame(rays(13), []<class Real>(const std::array<Real, 7>& x) {
@@ -122,7 +148,7 @@ TYPED_TEST(LanesShape, TellsTheSameSurface) {
         const Real t = shape.intersect(ray);
         const core::Mask<Real> isMet = t < Real(core::infinity);
         const gr::ShapePoint<Real> point =
-            shape.surfaceAt(ray, core::select(isMet, t, Real(1)), core::Vec3<Real>(Real(1e-5f)));
+            shape.surfaceAt(ray, core::select(isMet, t, Real(1)), core::Vec3<Real>(Real(1e-5f)), isFront(shape, ray));
         const gr::Coordinates<Real> at = shape.coordinatesAt(point);
         std::array<Real, 12> all{point.position.x, point.position.y, point.position.z,
                                  point.normal.x,   point.normal.y,   point.normal.z,

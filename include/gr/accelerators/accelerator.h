@@ -15,7 +15,7 @@
 namespace gr {
 
 class Scene;
-class TreeAccelerator;
+class ObjectTree;
 
 // How much work rays were.
 struct TraversalCounts {
@@ -42,7 +42,7 @@ public:
     // What it is, for a person: "grid of 12 x 8 x 3 cells".
     virtual std::string description() const = 0;
     // Itself where it is trees of boxes, else null: lanes walk those by themselves.
-    virtual const TreeAccelerator* tree() const { return nullptr; }
+    virtual const ObjectTree* tree() const { return nullptr; }
     // Whether it tests every object for every ray.
     virtual bool testsAll() const { return false; }
     std::string reason;  // why it was taken, where nobody asked for it by name

@@ -1,6 +1,7 @@
 // What the rays of many paths meet of a scene's objects where every ray is tested against every object.
 #pragma once
 
+#include "gr/accelerators/lane_rays.h"
 #include "gr/mesh/polyhedron_surface.h"
 #include "gr/scene.h"
 
@@ -16,7 +17,7 @@ struct InstancesByShape {
         for (const std::uint32_t i : objects) {
             const Shape& shape = scene.instances[i].shape;
             lists[shape.index()].push_back(i);
-            count += shape.index() == 0 ? std::get<0>(shape)->triangleCount() : 1;
+            count += partsOf(shape);
         }
     }
 
@@ -39,26 +40,31 @@ public:
 
     AllTracer(const Scene& scene, const InstancesByShape& bodies) : scene_(scene), bodies_(bodies) {}
 
-    // Replaces hits by what comes before them.
-    void nearest(const core::Ray<Real>& ray, HitOf<Real>& nearest) const {
+    // Replaces hits by what comes before them, of the lanes that are alive.
+    void nearest(const core::Ray<Real>& ray, const Mask& alive, HitOf<Real>& nearest) const {
         bodies_.forEach([&]<class S>(std::type_identity<S>, const std::vector<std::uint32_t>& instances) {
             for (const std::uint32_t i : instances) {
                 const core::Ray<Real> objectRay = scene_.instances[i].place.toObject(ray);
                 if constexpr (std::is_same_v<S, const Polyhedron*>)
                     nearestOf(objectRay, i, *std::get<S>(scene_.instances[i].shape), nearest);
+                else if constexpr (std::is_same_v<S, const Csg*>)
+                    nearestOf(ray, alive, *std::get<S>(scene_.instances[i].shape), nearest);
                 else
                     offer(std::get<S>(scene_.instances[i].shape).intersect(objectRay), i, nearest);
             }
         });
     }
 
-    Mask occluded(const core::Ray<Real>& ray) const {
+    // For the lanes where that is asked; what it says of others means nothing.
+    Mask occluded(const core::Ray<Real>& ray, const Mask& asked) const {
         Mask isMet = Real(0) > Real(0);
         bodies_.forEach([&]<class S>(std::type_identity<S>, const std::vector<std::uint32_t>& instances) {
             for (const std::uint32_t i : instances) {
                 const core::Ray<Real> objectRay = scene_.instances[i].place.toObject(ray);
                 if constexpr (std::is_same_v<S, const Polyhedron*>)
                     isMet = isMet | isMetBy(objectRay, *std::get<S>(scene_.instances[i].shape));
+                else if constexpr (std::is_same_v<S, const Csg*>)
+                    isMet = isMet | isMetBy(ray, asked & !isMet, *std::get<S>(scene_.instances[i].shape));
                 else
                     isMet =
                         isMet | (std::get<S>(scene_.instances[i].shape).intersect(objectRay) < Real(core::infinity));
@@ -101,6 +107,32 @@ private:
             isMet = isMet | (found.t < Real(core::infinity));
         });
         return isMet;
+    }
+
+    // One ray after the other meets a CSG object.
+    void nearestOf(const core::Ray<Real>& ray, const Mask& alive, const Csg& csg, HitOf<Real>& nearest) const {
+        const Mask near = LaneBoxRays<Real>(csg.bounded().objects(), ray, nearest.t).mayMeet();
+        HitLanes<Real> hits(nearest);
+        const LaneRays<Real> rays(ray);
+        TraversalCounts counts;
+        core::forEachLane(core::bitsOf(alive & near), [&](int lane) {
+            Hit hit = hits.at(lane);
+            CsgTracer<TreeLanes>(scene_, csg, counts).nearest(rays.at(lane, core::infinity), hit);
+            hits.set(lane, hit);
+        });
+        nearest = hits.hit();
+    }
+    Mask isMetBy(const core::Ray<Real>& ray, const Mask& asked, const Csg& csg) const {
+        const Mask near = LaneBoxRays<Real>(csg.bounded().objects(), ray, ray.tMax).mayMeet();
+        const LaneRays<Real> rays(ray);
+        const core::LaneArray<Real> end(ray.tMax);
+        TraversalCounts counts;
+        std::uint32_t met = 0;
+        core::forEachLane(core::bitsOf(asked & near), [&](int lane) {
+            const bool isMet = CsgTracer<TreeLanes>(scene_, csg, counts).occluded(rays.at(lane, end[lane]));
+            met |= std::uint32_t{isMet} << lane;
+        });
+        return core::maskOf<Real>(met);
     }
 
     // Calls found(triangle, hit) for those that any lane's ray goes through. The exact areas are asked only there.

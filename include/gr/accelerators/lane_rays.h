@@ -70,9 +70,10 @@ private:
 template<class Real>
 class LaneTreeRays {
 public:
-    LaneTreeRays(const TreeAccelerator& tree, const core::Ray<Real>& ray, const core::Mask<Real>& asked,
+    LaneTreeRays(const Scene& scene, const ObjectTree& tree, const core::Ray<Real>& ray, const core::Mask<Real>& asked,
                  const Real& end)
-        : tree_(tree),
+        : scene_(scene),
+          tree_(tree),
           rays_(ray),
           boxRays_(tree.objects(), ray, end),
           lanes_(core::bitsOf(asked & boxRays_.mayMeet())) {}
@@ -80,14 +81,15 @@ public:
     std::uint32_t lanes() const { return lanes_; }
     // Replaces `found` by what comes before it.
     void nearest(int lane, Hit& found, TraversalCounts& counts) const {
-        TreeTracer<TreeLanes>(tree_, counts).nearest(rays_.at(lane, core::infinity), boxRays_.at(lane), found);
+        TreeTracer<TreeLanes>(scene_, tree_, counts).nearest(rays_.at(lane, core::infinity), boxRays_.at(lane), found);
     }
     bool occluded(int lane, float end, TraversalCounts& counts) const {
-        return TreeTracer<TreeLanes>(tree_, counts).occluded(rays_.at(lane, end), boxRays_.at(lane));
+        return TreeTracer<TreeLanes>(scene_, tree_, counts).occluded(rays_.at(lane, end), boxRays_.at(lane));
     }
 
 private:
-    const TreeAccelerator& tree_;
+    const Scene& scene_;
+    const ObjectTree& tree_;
     LaneRays<Real> rays_;
     LaneBoxRays<Real> boxRays_;
     std::uint32_t lanes_;

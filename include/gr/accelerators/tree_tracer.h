@@ -3,15 +3,16 @@
 #pragma once
 
 #include "gr/accelerators/mesh_tracer.h"
-#include "gr/accelerators/tree_accelerator.h"
+#include "gr/accelerators/object_tree.h"
+#include "gr/csg/csg_tracer.h"
 
 namespace gr {
 
 template<class Lanes>
 class TreeTracer {
 public:
-    TreeTracer(const TreeAccelerator& tree, TraversalCounts& counts)
-        : scene_(tree.scene()), objects_(tree.objects()), counts_(counts) {}
+    TreeTracer(const Scene& scene, const ObjectTree& tree, TraversalCounts& counts)
+        : scene_(scene), objects_(tree.objects()), counts_(counts) {}
 
     // Replaces `nearest` by what comes before it. Its t must not be beyond the ray's end.
     void nearest(const core::Rayf& ray, Hit& found) const { nearest(ray, objectsRay(ray), found); }
@@ -22,6 +23,8 @@ public:
         forEachPack(boxRay, nearest.t, [&](const auto& pack) {
             if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
                 MeshTracer<Lanes>(pack, counts_).nearest(meshRay(ray, pack), nearest);
+            else if constexpr (std::is_same_v<decltype(pack), const CsgPack&>)
+                CsgTracer<Lanes>(scene_, *pack.csg, counts_).nearest(ray, nearest);
             else
                 nearestOf(everywhere(ray), pack, nearest);
             return false;
@@ -32,6 +35,8 @@ public:
         return forEachPack(boxRay, ray.tMax, [&](const auto& pack) {
             if constexpr (std::is_same_v<decltype(pack), const MeshPack&>)
                 return MeshTracer<Lanes>(pack, counts_).occluded(meshRay(ray, pack), ray.tMax);
+            else if constexpr (std::is_same_v<decltype(pack), const CsgPack&>)
+                return CsgTracer<Lanes>(scene_, *pack.csg, counts_).occluded(ray);
             else
                 return isAnyMet(everywhere(ray), pack);
         });

@@ -2,6 +2,7 @@
 // enough to want its own, which all its instances share.
 #pragma once
 
+#include "gr/csg/csg_tracer.h"
 #include "gr/mesh/pack.h"
 #include "gr/scene.h"
 
@@ -44,7 +45,13 @@ public:
             const std::uint32_t i = instances_[item];
             const Instance& instance = scene_.instances[i];
             const core::Rayf objectRay = instance.place.toObject(ray);
-            const auto test = [&](const auto& shape) { intersectShape(shape, objectRay, i, nearest, reach, counts); };
+            const auto test = [&]<class S>(const S& shape) {
+                if constexpr (std::is_same_v<S, const Csg*>)
+                    CsgTracer<PackLanes>(scene_, *shape, counts).nearest(ray, nearest);
+                else
+                    intersectShape(shape, objectRay, i, nearest, reach, counts);
+                reach = std::min(reach, nearest.t);
+            };
             std::visit(test, instance.shape);
             return false;
         });
@@ -58,7 +65,12 @@ public:
             ++counts.tests;
             const Instance& instance = scene_.instances[instances_[item]];
             const core::Rayf objectRay = instance.place.toObject(ray);
-            const auto test = [&](const auto& shape) { return isHit(shape, objectRay, counts); };
+            const auto test = [&]<class S>(const S& shape) {
+                if constexpr (std::is_same_v<S, const Csg*>)
+                    return CsgTracer<PackLanes>(scene_, *shape, counts).occluded(ray);
+                else
+                    return isHit(shape, objectRay, counts);
+            };
             isMet = std::visit(test, instance.shape);
             return isMet;
         });

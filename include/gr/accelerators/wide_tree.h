@@ -1,10 +1,11 @@
 // A tree of boxes, eight to a node, so that one ray is tested against all eight at once; the same for what its leaves
-// hold. Embree builds it, our own code walks it (wide_tree_walk.h): which boxes there are decides what is tested, never
-// where a ray meets it.
+// hold. Embree builds it, or for a few boxes we do (median_tree.h), and our own code walks it (wide_tree_walk.h): which
+// boxes there are decides what is tested, never where a ray meets it.
 #pragma once
 
 #include "core/bounds.h"
 #include "gr/accelerators/embree_device.h"
+#include "gr/accelerators/tree_memory.h"
 
 #include <cstdint>
 #include <functional>
@@ -59,8 +60,8 @@ public:
 
     // boundsOf: of the items 0 to count - 1. They hold every point at which an item may be reported to be hit by a ray
     // that starts at the origin; one that starts or hits at distance x from there may be off by errorPerUnit * x more.
-    // The device must outlive the tree. threads: to build it with.
-    WideTree(const EmbreeDevice& device, std::uint32_t count, const BoundsOf& boundsOf, const MakeLeaf& makeLeaf,
+    // The device builds it and must outlive it; null: halves of halves (median_tree.h). threads: for the device.
+    WideTree(const EmbreeDevice* device, std::uint32_t count, const BoundsOf& boundsOf, const MakeLeaf& makeLeaf,
              float errorPerUnit, int threads);
     ~WideTree();
     WideTree(const WideTree&) = delete;
@@ -68,6 +69,7 @@ public:
 
     TreeReference root() const { return root_; }  // nothing for no items
     const core::Bounds& bounds() const { return bounds_; }  // of all items
+    std::size_t bytes() const { return own_.bytes(); }  // what the device has is not counted
 
     // How much larger all boxes are for a ray that starts so far from the origin (the largest of its coordinates): by
     // what rounding may move the ray and what it hits, and by what the test of a box itself rounds. On its way a ray is
@@ -78,7 +80,12 @@ public:
     }
 
 private:
-    RTCBVHTy* bvh_ = nullptr;  // owns nodes and leaves
+    void buildByEmbree(const EmbreeDevice& device, std::uint32_t count, const BoundsOf& boundsOf,
+                       const MakeLeaf& makeLeaf, int threads);
+
+    // Nodes and leaves are owned by one of the two.
+    RTCBVHTy* bvh_ = nullptr;
+    TreeMemory own_;
     TreeReference root_ = TreeReference::nothing();
     core::Bounds bounds_;
     float errorPerUnit_, reach_ = 0;

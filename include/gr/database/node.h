@@ -23,6 +23,24 @@ struct NamedMaterial {
 struct TransformNode {
     static constexpr core::Word kind = "transform", plural = "transforms";
 };
+// Their children are operands.
+struct UnionNode {
+    static constexpr core::Word kind = "union", plural = "unions";
+    static constexpr CsgOperation operation = CsgOperation::isUnion;
+};
+struct IntersectionNode {
+    static constexpr core::Word kind = "intersection", plural = "intersections";
+    static constexpr CsgOperation operation = CsgOperation::isIntersection;
+};
+struct DifferenceNode {
+    static constexpr core::Word kind = "difference", plural = "differences";
+    static constexpr CsgOperation operation = CsgOperation::isDifference;
+};
+template<class Content>
+concept IsCsgNode = requires {
+    Content::operation;
+};
+
 struct PolyhedronNode {
     static constexpr core::Word kind = "polyhedron", plural = "polyhedra";
 
@@ -43,7 +61,8 @@ struct InstanceNode {
 };
 
 // The shapes of the list have nodes of their own, which are in the list, too.
-using NodeContent = ShapeNodes::Between<TransformNode, PolyhedronNode, AreaLightNode, InstanceNode>;
+using NodeContent = ShapeNodes::Between<TransformNode, UnionNode, IntersectionNode, DifferenceNode, PolyhedronNode,
+                                        AreaLightNode, InstanceNode>;
 
 struct Node {
     std::string name;

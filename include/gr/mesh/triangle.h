@@ -192,12 +192,13 @@ struct TriangleRay {
         return hit(cross(a, b, c), a, b, c);
     }
 
-private:
+    // A permuted vertex, seen along the ray: across it.
     core::Vec2<Real> sheared(const core::Vec3<Real>& vertex) const {
         const core::Vec3<Real> a = vertex - origin;
         return {a.x - slopeX * a.z, a.y - slopeY * a.z};
     }
 
+private:
     static TriangleCrossing<Real> crossingOf(const Real& u, const Real& v, const Real& w) {
         const Real zero(0);
         const core::Mask<Real> inside =

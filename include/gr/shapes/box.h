@@ -6,6 +6,7 @@
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
+#include <array>
 #include <tuple>
 
 namespace gr {
@@ -26,9 +27,14 @@ struct Box {
         return level;
     }
 
-    // Slabs (Kay and Kajiya 1986). A ray inside a face's plane makes 0 / 0; min and max then keep the bound so far.
     template<class Real>
     Real intersect(const core::Ray<Real>& ray) const {
+        return spans(ray)[0].first(ray);
+    }
+
+    // Slabs (Kay and Kajiya 1986). A ray inside a face's plane makes 0 / 0; min and max then keep the bound so far.
+    template<class Real>
+    std::array<Interval<Real>, 1> spans(const core::Ray<Real>& ray) const {
         using core::select;
         Real enter(-core::infinity);
         Real leave(core::infinity);
@@ -41,13 +47,13 @@ struct Box {
             leave = core::min(select(upwards, t1, t0), leave);
         }
         // Three roundings (Ize, "Robust BVH Ray Traversal", 2013): a ray along an edge does not slip between two slabs.
-        return Interval<Real>{enter, leave, enter <= leave * Real(1 + 4 * 0x1p-23f)}.first(ray);
+        return {{{enter, leave, enter <= leave * Real(1 + 4 * 0x1p-23f)}}};
     }
 
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin,
+                               const core::Mask<Real>& outside) const {
         const Real zero(0), one(1);
-        const core::Mask<Real> outside = level(ray.origin) > zero;
         // The face is the nearest of those that a ray from there can meet: never one that looks the other way, however
         // near the edge to it.
         const core::Vec3<Real> hit = ray.origin + ray.direction * t;

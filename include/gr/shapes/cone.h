@@ -5,6 +5,7 @@
 #include "gr/shapes/shape_node.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 namespace gr {
@@ -30,11 +31,16 @@ struct ConeOf {
     }
     template<class Real>
     Real intersect(const core::Ray<Real>& ray) const {
-        return frustum<Real>().intersect(ray);
+        return spans(ray)[0].first(ray);
     }
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
-        return frustum<Real>().surfaceAt(ray, t, margin);
+    std::array<Interval<Real>, 1> spans(const core::Ray<Real>& ray) const {
+        return frustum<Real>().spans(ray);
+    }
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin,
+                               const core::Mask<Real>& front) const {
+        return frustum<Real>().surfaceAt(ray, t, margin, front);
     }
     template<class Real>
     Coordinates<Real> coordinatesAt(const ShapePoint<Real>& point) const {

@@ -4,6 +4,7 @@
 #include "gr/shapes/frustum.h"
 #include "gr/shapes/shape_node.h"
 
+#include <array>
 #include <tuple>
 
 namespace gr {
@@ -22,11 +23,16 @@ struct Cylinder {
     }
     template<class Real>
     Real intersect(const core::Ray<Real>& ray) const {
-        return straight<Real>().intersect(ray);
+        return spans(ray)[0].first(ray);
     }
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
-        return straight<Real>().surfaceAt(ray, t, margin);
+    std::array<Interval<Real>, 1> spans(const core::Ray<Real>& ray) const {
+        return straight<Real>().spans(ray);
+    }
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin,
+                               const core::Mask<Real>& front) const {
+        return straight<Real>().surfaceAt(ray, t, margin, front);
     }
     template<class Real>
     Coordinates<Real> coordinatesAt(const ShapePoint<Real>& point) const {

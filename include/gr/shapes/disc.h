@@ -36,7 +36,8 @@ struct DiscOf {
 
     // The margin is kept from both edges, as far as there is room.
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin,
+                               const core::Mask<Real>&) const {
         const core::Vec3<Real> p = ray.origin + ray.direction * t;
         const Real least(hole), most = (Real(1) + least) * Real(0.5f);
         const Real edge = core::min(Real(core::sqrt(margin.x * margin.x + margin.z * margin.z)), most - least);

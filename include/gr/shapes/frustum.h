@@ -3,6 +3,8 @@
 
 #include "gr/shapes/surface.h"
 
+#include <array>
+
 namespace gr {
 
 // The radius is 1 at the foot and 1 + slope at the top, which is not less than 0.
@@ -16,17 +18,17 @@ struct Frustum {
         return core::max(sideLevel(p), core::max(Real(-p.y), Real(p.y - Real(1))));
     }
 
-    Real intersect(const core::Ray<Real>& ray) const {
+    std::array<Interval<Real>, 1> spans(const core::Ray<Real>& ray) const {
         const Interval<Real> side = alongSide(ray), caps = betweenCaps(ray);
         const Real enter = core::max(side.enter, caps.enter), leave = core::min(side.leave, caps.leave);
         // As a Box has it: a ray through the edge does not slip between side and cap.
         const core::Mask<Real> exists = side.exists & (enter <= leave * Real(1 + 4 * 0x1p-23f));
-        return Interval<Real>{enter, leave, exists}.first(ray);
+        return {{{enter, leave, exists}}};
     }
 
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin,
+                               const core::Mask<Real>& outside) const {
         const Real zero(0), one(1), half(0.5f);
-        const core::Mask<Real> outside = level(ray.origin) > zero;
         const Interval<Real> side = alongSide(ray), caps = betweenCaps(ray);
         const core::Mask<Real> entersCap = caps.enter >= side.enter, leavesCap = caps.leave <= side.leave;
         const core::Mask<Real> isCap = (outside & entersCap) | (leavesCap & !outside);

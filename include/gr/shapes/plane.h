@@ -6,6 +6,7 @@
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
+#include <array>
 #include <tuple>
 
 namespace gr {
@@ -29,8 +30,18 @@ struct Plane {
         return core::select((t > Real(0)) & (t < ray.tMax), t, Real(core::infinity));
     }
 
+    // Below it: up to where a line comes out, or from where one goes in.
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>&) const {
+    std::array<Interval<Real>, 1> spans(const core::Ray<Real>& ray) const {
+        const Real zero(0), endless(core::infinity), rise = ray.direction.y;
+        const Real t = -ray.origin.y / rise;
+        const core::Mask<Real> exists = (rise != zero) | (ray.origin.y < zero);
+        return {{{core::select(rise < zero, t, -endless), core::select(rise > zero, t, endless), exists}}};
+    }
+
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>&,
+                               const core::Mask<Real>&) const {
         const core::Vec3<Real> p = ray.origin + ray.direction * t;
         return {{p.x, Real(0), p.z}, {Real(0), Real(1), Real(0)}, ray.direction.y < Real(0)};
     }

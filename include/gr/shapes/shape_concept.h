@@ -13,7 +13,7 @@ namespace gr {
 
 // In its own space. Where it is said for a float it must be so for lanes of them.
 template<class Shape>
-concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, core::Vec3f margin,
+concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, core::Vec3f margin, bool front,
                                  ShapePoint<float> point, core::Transform map) {
     typename Shape::template With<core::Lanes>;  // another shape in each lane; parts() tells what differs
     Shape::parts(shape);  // the numbers in which one differs from another, floats, as std::tie makes it
@@ -27,7 +27,8 @@ concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, co
     { shape.intersect(ray) } -> std::same_as<float>;
     // The point is kept `margin` away from the edges of its face, along each axis: far enough for a ray that goes
     // on from there, a hair off the face, to start on the same side of the faces beyond the edges.
-    { shape.surfaceAt(ray, t, margin) } -> std::same_as<ShapePoint<float>>;
+    // front: of a solid, whether the ray comes from outside; where it starts may not tell, if it has gone through.
+    { shape.surfaceAt(ray, t, margin, front) } -> std::same_as<ShapePoint<float>>;
     { shape.coordinatesAt(point) } -> std::same_as<Coordinates<float>>;
     { shape.bounds() } -> std::same_as<core::Bounds>;
     { shape.flatSides() } -> std::same_as<std::vector<FlatSide>>;
@@ -35,10 +36,15 @@ concept CompleteShape = requires(const Shape& shape, core::Rayf ray, float t, co
     { shape.reachUnder(map) } -> std::same_as<core::Vec3f>;
 };
 
-// A solid has a level that is less than 0 inside, 0 on the surface and more than 0 outside.
+// A solid has a level that is less than 0 inside, 0 on the surface and more than 0 outside; and it tells which parts of
+// the ray's line it holds, as far as these are not behind the ray, the nearer first, so that intersect gives the first
+// end that is ahead. Of a part that begins behind the ray, `enter` is any number that is not more than 0.
 template<class Shape>
-concept HasLevelIfSolid = !Shape::isSolid || requires(const Shape& shape, glm::dvec3 p) {
+concept CompleteIfSolid =
+    !Shape::isSolid || requires(const Shape& shape, glm::dvec3 p, core::Ray<double> exact, core::Rayf ray) {
     { shape.level(p) } -> std::same_as<double>;
+    { shape.spans(ray)[0] } -> std::convertible_to<Interval<float>>;
+    { shape.spans(exact)[0] } -> std::convertible_to<Interval<double>>;
 };
 
 template<class Node>

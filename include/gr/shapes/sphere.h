@@ -6,6 +6,7 @@
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
 
+#include <array>
 #include <tuple>
 
 namespace gr {
@@ -24,10 +25,15 @@ struct Sphere {
         return glm::dot(p, p) - Real(1);
     }
 
+    template<class Real>
+    Real intersect(const core::Ray<Real>& ray) const {
+        return spans(ray)[0].first(ray);
+    }
+
     // Haines et al., "Precision Improvements for Ray/Sphere Intersection" (Ray Tracing Gems, 2019): the discriminant
     // from the point of the line nearest to the centre, and both roots without cancellation.
     template<class Real>
-    Real intersect(const core::Ray<Real>& ray) const {
+    std::array<Interval<Real>, 1> spans(const core::Ray<Real>& ray) const {
         const Real a = glm::dot(ray.direction, ray.direction);
         const Real b = -glm::dot(ray.origin, ray.direction);
         const core::Vec3<Real> nearest = ray.origin + ray.direction * (b / a);
@@ -36,13 +42,13 @@ struct Sphere {
         const Real q = b + core::select(b < Real(0), -root, root);  // not copysign: lanes may differ in a zero's sign
         const Real t1 = level(ray.origin) / q;
         const Real t2 = q / a;
-        return Interval<Real>{core::min(t1, t2), core::max(t1, t2), discriminant >= Real(0)}.first(ray);
+        return {{{core::min(t1, t2), core::max(t1, t2), discriminant >= Real(0)}}};
     }
 
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin,
+                               const core::Mask<Real>& front) const {
         const core::Vec3<Real> p = glm::normalize(ray.origin + ray.direction * t);
-        const core::Mask<Real> front = level(ray.origin) > Real(0);
         // Seen from within, the sphere comes nearer sideways, by half the square of how far.
         const Real sagitta = core::min(Real(0.5f) * glm::dot(margin, margin), Real(0.5f));
         return {core::select(front, p, p * (Real(1) - sagitta)), p, front};

@@ -30,7 +30,8 @@ struct Square {
     }
 
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>&) const {
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>&,
+                               const core::Mask<Real>&) const {
         const core::Vec3<Real> p = ray.origin + ray.direction * t;
         return {{p.x, Real(0), p.z}, {Real(0), Real(-1), Real(0)}, ray.direction.y > Real(0)};
     }

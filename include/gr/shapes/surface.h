@@ -22,7 +22,7 @@ struct Coordinates {
     core::Vec3<Real> tangent;  // in which u grows, not of unit length; it is the same all over a flat face
 };
 
-// The part of a line that is inside a convex solid, from `enter` to `leave`, or nowhere.
+// A part of a line that is inside a solid, from `enter` to `leave`, or nowhere.
 template<class Real>
 struct Interval {
     Real enter, leave;

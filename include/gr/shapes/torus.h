@@ -36,41 +36,56 @@ struct TorusOf {
     template<class Real>
     Real intersect(const core::Ray<Real>& ray) const {
         using core::select;
-        const Real zero(0), outer = Real(1) + Real(tube);
-        const Real square = glm::dot(ray.direction, ray.direction), inverse = Real(1) / core::sqrt(square);
-        const Real toNear = -glm::dot(ray.origin, ray.direction) / square;
-        const core::Vec3<Real> near = ray.origin + ray.direction * toNear;
-        const Real past = outer * outer - glm::dot(near, near);
-        if (!core::any(past >= zero)) return Real(core::infinity);
-
-        // A little beyond the ball that holds it, the line is outside for good.
-        const Real half = core::sqrt(core::max(past, zero)) + Real(0x1p-8f);
-        const Real end = core::max(toNear + half * inverse, zero);
-        const std::array<Real, 3> turns = turningPoints<Real>(near, ray.direction * inverse, half);
-        const auto placeOf = [&](int i) {
-            return i < 0 ? zero : core::min(core::max(toNear + turns[i] * inverse, zero), end);
-        };
-        const core::Mask<Real> isOutside = level(ray.origin) > zero;
+        const Pieces<Real> pieces(*this, ray);
+        if (!core::any(pieces.isNear)) return Real(core::infinity);
+        const core::Mask<Real> isOutside = pieces.isOutside[0];
         core::Mask<Real> meets = !isOutside;
-        Real from = placeOf(2), to = end;
-        for (int i = 2; i >= 0; --i) {
-            const Real place = placeOf(i);
-            const core::Mask<Real> isBeyond =
-                core::differ(level<Real>(ray.origin + ray.direction * place) > zero, isOutside);
-            from = select(isBeyond, placeOf(i - 1), from);
-            to = select(isBeyond, place, to);
+        Real from = pieces.place[3], to = pieces.place[4];
+        for (int i = 3; i >= 1; --i) {
+            const core::Mask<Real> isBeyond = core::differ(pieces.isOutside[i], isOutside);
+            from = select(isBeyond, pieces.place[i - 1], from);
+            to = select(isBeyond, pieces.place[i], to);
             meets = meets | isBeyond;
         }
-        meets = meets & (past >= zero);
+        meets = meets & pieces.isNear;
         if (!core::any(meets)) return Real(core::infinity);
         const Real t = crossing(ray, from, to, isOutside, meets);
         return select(meets & (t < ray.tMax), t, Real(core::infinity));
     }
 
+    // A root in each piece at whose ends the signs differ. From outside the first two bound a part of the line, and so
+    // do the next two; from inside the first one ends one that began before.
     template<class Real>
-    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin) const {
+    std::array<Interval<Real>, 2> spans(const core::Ray<Real>& ray) const {
+        using core::select;
+        const Real never(core::infinity), none(-1);
+        const core::Mask<Real> no = Real(0) > Real(0);
+        std::array<Interval<Real>, 2> spans{{{none, never, no}, {none, never, no}}};
+        const Pieces<Real> pieces(*this, ray);
+        if (!core::any(pieces.isNear)) return spans;
+        // Which end the next root is: of the first part its beginning, its end, and so on.
+        Real end = select(pieces.isOutside[0], Real(0), Real(1));
+        spans[0].exists = pieces.isNear & !pieces.isOutside[0];
+        for (int i = 1; i <= 4; ++i) {
+            const core::Mask<Real> isRoot = pieces.isNear & core::differ(pieces.isOutside[i], pieces.isOutside[i - 1]);
+            if (!core::any(isRoot)) continue;
+            const Real t = crossing(ray, pieces.place[i - 1], pieces.place[i], pieces.isOutside[i - 1], isRoot);
+            for (int k = 0; k < 2; ++k) {
+                const core::Mask<Real> begins = isRoot & (end == Real(static_cast<float>(2 * k)));
+                const core::Mask<Real> ends = isRoot & (end == Real(static_cast<float>(2 * k + 1)));
+                spans[k].enter = select(begins, t, spans[k].enter);
+                spans[k].exists = spans[k].exists | begins;
+                spans[k].leave = select(ends, t, spans[k].leave);
+            }
+            end = select(isRoot, end + Real(1), end);
+        }
+        return spans;
+    }
+
+    template<class Real>
+    ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const Real& t, const core::Vec3<Real>& margin,
+                               const core::Mask<Real>& front) const {
         const core::Vec3<Real> hit = ray.origin + ray.direction * t;
-        const core::Mask<Real> front = level(ray.origin) > Real(0);
         const Real radius(tube), inverse = Real(1) / core::sqrt(hit.x * hit.x + hit.z * hit.z);
         const core::Vec3<Real> ring(hit.x * inverse, Real(0), hit.z * inverse);
         const core::Vec3<Real> normal = glm::normalize(hit - ring);
@@ -101,6 +116,33 @@ struct TorusOf {
 
 private:
     float outer() const { return 1 + tube; }
+
+    // A ray cut where its quartic turns.
+    template<class Real>
+    struct Pieces {
+        std::array<Real, 5> place;  // its start, the three turning points, and where it is outside for good
+        std::array<core::Mask<Real>, 5> isOutside;  // there
+        core::Mask<Real> isNear;  // whether it comes near; if none does, the rest says nothing
+
+        Pieces(const TorusOf& torus, const core::Ray<Real>& ray) {
+            const Real zero(0), outer = Real(1) + Real(torus.tube);
+            const Real square = glm::dot(ray.direction, ray.direction), inverse = Real(1) / core::sqrt(square);
+            const Real toNear = -glm::dot(ray.origin, ray.direction) / square;
+            const core::Vec3<Real> near = ray.origin + ray.direction * toNear;
+            const Real past = outer * outer - glm::dot(near, near);
+            isNear = past >= zero;
+            if (!core::any(isNear)) return;
+            // A little beyond the ball that holds the torus.
+            const Real half = core::sqrt(core::max(past, zero)) + Real(0x1p-8f);
+            const Real end = core::max(toNear + half * inverse, zero);
+            const std::array<Real, 3> turns = torus.turningPoints<Real>(near, ray.direction * inverse, half);
+            place = {zero, zero, zero, zero, end};
+            for (int i = 0; i < 3; ++i) place[i + 1] = core::min(core::max(toNear + turns[i] * inverse, zero), end);
+            isOutside[0] = torus.level(ray.origin) > zero;
+            for (int i = 1; i <= 3; ++i) isOutside[i] = torus.level<Real>(ray.origin + ray.direction * place[i]) > zero;
+            isOutside[4] = zero <= zero;
+        }
+    };
 
     // Of the quartic T^4 + 2 (k - 2 (1 - v^2)) T^2 + 8 h v T + ..., where T counts from the line's point nearest to the
     // centre, h is its height, v how much the line rises, and k = nearest^2 + 1 - tube^2: the roots of T^3 + A T + B,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace gr {
 namespace {
@@ -28,9 +27,12 @@ constexpr std::array<Row, 5> rows{{
 
 namespace {
 
+// Operands are for their CSG objects to test.
 std::vector<std::uint32_t> allOf(const Scene& scene) {
-    std::vector<std::uint32_t> all(scene.instances.size());
-    std::iota(all.begin(), all.end(), 0u);
+    std::vector<std::uint32_t> all;
+    all.reserve(scene.instances.size());
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+        if (!scene.instances[i].isOperand) all.push_back(i);
     return all;
 }
 
@@ -67,10 +69,7 @@ bool isFew(const Scene& scene, Objects objects, bool manyRays) {
     // One ray is tested against four objects before a tree's first box is.
     if (!manyRays) return scene.objectCount() <= 20;
     std::size_t count = 0;
-    for (const std::uint32_t i : objects) {
-        const auto* polyhedron = std::get_if<const Polyhedron*>(&scene.instances[i].shape);
-        count += polyhedron != nullptr ? (*polyhedron)->triangleCount() : 1;
-    }
+    for (const std::uint32_t i : objects) count += partsOf(scene.instances[i].shape);
     return count <= 16;
 }
 

@@ -32,6 +32,7 @@ public:
         list_.isFlat.resize(scene_.instances.size());
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
             const Instance& instance = scene_.instances[i];
+            if (instance.isOperand) continue;
             if (const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape))
                 list_.isFlat[i] = isSmall(**mesh) && !(*mesh)->hasNormals() && add(instance, **mesh);
             else if (const auto* square = std::get_if<Square>(&instance.shape))

@@ -1,5 +1,6 @@
 #include "gr/accelerators/accelerator.h"
 #include "gr/accelerators/object_pack.h"
+#include "gr/csg/csg_tracer.h"
 #include "gr/mesh/pack.h"
 #include "gr/scene.h"
 
@@ -14,7 +15,7 @@ using PackOf = ShapePack<Shape, core::AffineMap>;
 template<class>
 struct PacksOf;
 template<class... Shapes>
-struct PacksOf<std::variant<const Polyhedron*, Shapes...>> {
+struct PacksOf<std::variant<const Polyhedron*, const Csg*, Shapes...>> {
     using Type = std::tuple<std::vector<PackOf<Shapes>>...>;
 };
 
@@ -61,6 +62,7 @@ public:
         });
         for (const std::uint32_t i : polyhedra_)
             polyhedronOf(i).intersect(PackRay(scene_.instances[i].place.toObject(ray)), i, nearest);
+        for (const Csg* csg : csgs_) CsgTracer<PackLanes>(scene_, *csg, counts).nearest(ray, nearest);
         if (nearest.t == core::infinity) return std::nullopt;
         return nearest;
     }
@@ -83,11 +85,14 @@ public:
                 packRay, [&](const TriangleHit<PackLanes>& found) { isMet = xsimd::any(found.t < never); });
         for (std::size_t i = 0; i < polyhedra_.size() && !isMet; ++i)
             isMet = polyhedronOf(polyhedra_[i]).occluded(PackRay(scene_.instances[polyhedra_[i]].place.toObject(ray)));
+        for (std::size_t i = 0; i < csgs_.size() && !isMet; ++i)
+            isMet = CsgTracer<PackLanes>(scene_, *csgs_[i], counts).occluded(ray);
         return isMet;
     }
 
     std::size_t bytes() const override {
-        std::size_t bytes = smallMeshes_.capacity() * sizeof(MeshPack) + polyhedra_.capacity() * sizeof(std::uint32_t);
+        std::size_t bytes = smallMeshes_.capacity() * sizeof(MeshPack) + polyhedra_.capacity() * sizeof(std::uint32_t) +
+                            csgs_.capacity() * sizeof(const Csg*);
         const auto add = [&]<class Pack>(const std::vector<Pack>& packs) { bytes += packs.capacity() * sizeof(Pack); };
         std::apply([&](const auto&... packs) { (add(packs), ...); }, packs_);
         return bytes;
@@ -149,12 +154,15 @@ private:
         }
     }
 
+    void add(std::uint32_t, const Csg* csg) { csgs_.push_back(csg); }
+
     const Scene& scene_;
     std::uint64_t objects_ = 0;  // shapes and triangles
     std::vector<MeshPack> smallMeshes_;
     std::size_t smallTriangles_ = 0;
     typename PacksOf<Shape>::Type packs_;
     std::vector<std::uint32_t> polyhedra_;  // the other meshes
+    std::vector<const Csg*> csgs_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "gr/accelerators/embree_library.h"
+#include "gr/accelerators/median_tree.h"
 #include "gr/mesh/parts.h"
 
 #include <array>
@@ -84,7 +85,7 @@ void TreeNode::set(int i, const core::Bounds& bounds, TreeReference reference) {
     child[i] = reference;
 }
 
-WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const BoundsOf& boundsOf, const MakeLeaf& makeLeaf,
+WideTree::WideTree(const EmbreeDevice* device, std::uint32_t count, const BoundsOf& boundsOf, const MakeLeaf& makeLeaf,
                    float errorPerUnit, int threads)
     : errorPerUnit_(errorPerUnit) {
     if (count == 0) return;
@@ -95,7 +96,14 @@ WideTree::WideTree(const EmbreeDevice& device, std::uint32_t count, const Bounds
          }))
         bounds_.include(part);
     reach_ = bounds_.reach();
+    if (device != nullptr)
+        buildByEmbree(*device, count, boundsOf, makeLeaf, threads);
+    else
+        root_ = medianTree(count, boundsOf, makeLeaf, own_);
+}
 
+void WideTree::buildByEmbree(const EmbreeDevice& device, std::uint32_t count, const BoundsOf& boundsOf,
+                             const MakeLeaf& makeLeaf, int threads) {
     // Embree multiplies sizes, so it is given them as about 1. Powers of two round nothing.
     const float unit = powerOfTwo(reach_);
     std::vector<RTCBuildPrimitive> primitives(count);

@@ -18,6 +18,7 @@ ObjectCounts countObjects(const Node& top) {
         for (const Node* node = subtree; node != nullptr; node = nextInSubtree(node, subtree)) {
             const auto* instance = std::get_if<InstanceNode>(&node->content);
             if (instance == nullptr) {
+                // Of a CSG object that is one beside its operands.
                 sum += !std::holds_alternative<TransformNode>(node->content);
                 continue;
             }

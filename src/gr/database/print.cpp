@@ -27,6 +27,10 @@ struct ContentText {
     std::string operator()(const Shape& shape) const {
         return std::string(Shape::kind) + " " + shape.text();
     }
+    template<IsCsgNode Content>
+    std::string operator()(const Content&) const {
+        return std::string(Content::kind);
+    }
     std::string operator()(const PolyhedronNode& node) const {
         const std::string what = node.file.empty() ? "polyhedron" : "mesh \"" + node.file + "\"";
         return what + " of " + std::to_string(node.polyhedron->triangleCount()) + " triangles" +

@@ -27,8 +27,8 @@ EyeMedia::EyeMedia(const gr::Scene& scene, const core::Vec3f& eye, const RenderS
     if (!settings.depthOfField) return;
     for (const gr::Instance& instance : scene.instances) {
         const materials::Interior* interior = scene.interiorOf(instance.material);
-        if (interior == nullptr) continue;
-        gr::NearSolid solid(instance, lens_);
+        if (interior == nullptr || instance.isOperand) continue;
+        gr::NearSolid solid(scene, instance, lens_);
         if (!solid.isBeyond()) near_.push_back({std::move(solid), interior});
     }
 }

@@ -57,9 +57,9 @@ Media mediaAt(const core::Vec3f& point, const gr::Scene& scene) {
     std::vector<gr::SolidCrossing> crossings;
     for (const gr::Instance& instance : scene.instances) {
         const materials::Interior* interior = scene.interiorOf(instance.material);
-        if (interior == nullptr) continue;
+        if (interior == nullptr || instance.isOperand) continue;
         crossings.clear();
-        gr::addCrossings(instance, {point, anyDirection}, crossings);
+        gr::addCrossings(scene, instance, {point, anyDirection}, crossings);
         addStays(crossings, *interior, stays);
     }
     // What is left last was entered first.

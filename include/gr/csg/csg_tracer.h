@@ -1,0 +1,163 @@
+// Where a ray meets a CSG object. To be compiled for each instruction set, as csg_crossings.h.
+#pragma once
+
+#include "gr/body_surface.h"
+#include "gr/csg/csg_crossings.h"
+
+namespace gr {
+
+// The ray's way is followed from operand to operand, and where the whole is entered or left, there it is met: its
+// surface is that of the operand that is crossed there.
+//
+// Surfaces of two operands may coincide: a hole that is as deep as the wall, or two blocks of a union side by side.
+// Rounding decides which of them comes first, and between the two the whole seems to begin or to end. So what begins
+// and ends again within less than rounding, at two surfaces that lie along each other, is no surface: nothing is left
+// of a wall where a hole ends, and nothing parts two blocks. Where two such surfaces look the same way, that of the
+// operand which was made first is met.
+template<class Lanes>
+class CsgTracer {
+public:
+    CsgTracer(const Scene& scene, const Csg& csg, TraversalCounts& counts)
+        : scene_(scene), csg_(csg), counts_(counts) {}
+
+    // Replaces `nearest` by what comes before it.
+    void nearest(const core::Rayf& ray, Hit& nearest) const {
+        const Hit hit = first(ray, std::min(ray.tMax, std::nextafter(nearest.t, core::infinity)));
+        if (hit.t < core::infinity && hit.isBefore(nearest)) nearest = hit;
+    }
+    bool occluded(const core::Rayf& ray) const { return first(ray, ray.tMax).t < core::infinity; }
+
+private:
+    // Lists that each thread uses again and again.
+    struct Room {
+        std::vector<CsgCrossing> crossings;
+        std::vector<std::int32_t> counted;
+        std::vector<std::int32_t> windings;  // how many times the way is inside of an operand; 0 between two rays
+    };
+
+    // The way along a ray.
+    class Way {
+    public:
+        Way(const Scene& scene, const Csg& csg, const core::Rayf& ray, Room& room)
+            : scene_(scene), csg_(csg), ray_(ray), room_(room), state_(csg.tree(), room.counted) {
+            if (room.windings.size() < csg.operandCount()) room.windings.resize(csg.operandCount(), 0);
+        }
+        ~Way() {
+            for (const CsgCrossing& crossing : room_.crossings) room_.windings[operandAt(crossing)] = 0;
+        }
+
+        // The first t, if it is less than `end`.
+        Hit first(float end) {
+            std::size_t i = 0;
+            while (i < crossings().size() && crossings()[i].hit.t == 0) cross(i++);
+            for (; i < crossings().size() && crossings()[i].hit.t < end; ++i) {
+                const bool before = state_.isInside();
+                cross(i);
+                if (state_.isInside() == before) continue;
+                if (isAlone(i)) return crossings()[i].hit;
+                const Closeness close = closenessAt(i);
+                const std::size_t back = endOfFilm(i, close, before);
+                if (back == i) return crossings()[firstMade(i, close)].hit;
+                i = back;
+            }
+            return {};
+        }
+
+    private:
+        // What lies within rounding of a crossing.
+        struct Closeness {
+            core::Vec3f normal;
+            float along;  // in t
+        };
+
+        const std::vector<CsgCrossing>& crossings() const { return room_.crossings; }
+        std::size_t operandAt(const CsgCrossing& crossing) const { return crossing.hit.instance - csg_.firstOperand(); }
+
+        void cross(std::size_t i) {
+            std::int32_t& winding = room_.windings[operandAt(crossings()[i])];
+            const bool before = winding > 0;
+            winding += crossings()[i].enters ? 1 : -1;
+            if (before != (winding > 0)) state_.cross(operandAt(crossings()[i]), !before);
+        }
+
+        // A ray along a surface comes out of what rounding leaves of it only after a long way. Up to this slope it is
+        // counted as what it is.
+        static constexpr float flattest = 0x1p-10f;
+
+        // Whether no other crossing can be within rounding.
+        bool isAlone(std::size_t i) const {
+            const float apart = csg_.tolerance() / (flattest * glm::length(ray_.direction));
+            const auto isFar = [&](std::size_t other) {
+                return std::abs(crossings()[other].hit.t - crossings()[i].hit.t) > apart;
+            };
+            return (i + 1 == crossings().size() || isFar(i + 1)) && (i == 0 || isFar(i - 1));
+        }
+        Closeness closenessAt(std::size_t i) const {
+            const core::Vec3f normal = normalAt(i);
+            const float steepness =
+                std::max(std::abs(glm::dot(normal, ray_.direction)), flattest * glm::length(ray_.direction));
+            return {normal, csg_.tolerance() / steepness};
+        }
+        core::Vec3f normalAt(std::size_t i) const {
+            const Hit& hit = crossings()[i].hit;
+            SurfacePoint<float> surface{};
+            BodySurface<float>(scene_.instances[hit.instance], ray_, hit, true).set(surface, false);
+            return surface.normal;
+        }
+        bool areAlike(std::size_t i, std::size_t other, const Closeness& close) const {
+            constexpr float parallel = 1 - 1e-4f;
+            return crossings()[i].hit.instance != crossings()[other].hit.instance &&
+                   std::abs(glm::dot(close.normal, normalAt(other))) > parallel;
+        }
+
+        // Where what began at i has ended again, within rounding; i: nowhere. Crosses what is between.
+        std::size_t endOfFilm(std::size_t i, const Closeness& close, bool before) {
+            for (std::size_t k = i + 1;
+                 k < crossings().size() && crossings()[k].hit.t - crossings()[i].hit.t <= close.along; ++k) {
+                cross(k);
+                if (state_.isInside() == before && areAlike(i, k, close)) return k;
+            }
+            return i;
+        }
+
+        // Of the surfaces within rounding that look the same way.
+        std::size_t firstMade(std::size_t i, const Closeness& close) const {
+            std::size_t first = i;
+            const auto offer = [&](std::size_t k) {
+                const bool isNear = std::abs(crossings()[k].hit.t - crossings()[i].hit.t) <= close.along;
+                if (isNear && crossings()[k].hit.t > 0 &&
+                    crossings()[k].hit.instance < crossings()[first].hit.instance && looksLike(k) == looksLike(i) &&
+                    areAlike(i, k, close))
+                    first = k;
+                return isNear;
+            };
+            for (std::size_t k = i + 1; k < crossings().size() && offer(k);) ++k;
+            for (std::size_t k = i; k-- > 0 && offer(k);) continue;
+            return first;
+        }
+        bool looksLike(std::size_t i) const {
+            return crossings()[i].enters != csg_.tree().isInverted(operandAt(crossings()[i]));
+        }
+
+        const Scene& scene_;
+        const Csg& csg_;
+        const core::Rayf& ray_;
+        Room& room_;
+        CsgState state_;
+    };
+
+    Hit first(const core::Rayf& ray, float end) const {
+        thread_local Room room;
+        // What is within rounding of the end counts for what is before it.
+        const float beyond = csg_.tolerance() * 0x1p10f / glm::length(ray.direction);
+        CsgCrossings<Lanes>(scene_, csg_, counts_, room.crossings).find(ray, end + beyond);
+        if (room.crossings.empty()) return {};
+        return Way(scene_, csg_, ray, room).first(end);
+    }
+
+    const Scene& scene_;
+    const Csg& csg_;
+    TraversalCounts& counts_;
+};
+
+}  // namespace gr

@@ -1,0 +1,82 @@
+// Constructive solid geometry: which places a solid holds, given which of its operands hold them.
+#pragma once
+
+#include "core/bounds.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gr {
+
+enum class CsgOperation { isUnion, isIntersection, isDifference };
+
+// A tree of operations, at whose ends are operands, numbered in the order in which they are added. Each node counts
+// how many of its children hold a place, and holds it itself where they are enough: one of a union, all of an
+// intersection. A difference is the intersection of its first child and of what all others leave out.
+class CsgTree {
+public:
+    static constexpr std::uint32_t none = ~0u;
+
+    // Each adds a child of the node `parent`, behind those that it has. The first node, of parent none, is the whole.
+    std::uint32_t addNode(std::uint32_t parent, CsgOperation operation);  // returns its number
+    void addOperand(std::uint32_t parent);
+    // To be called once, after all were added.
+    void finish();
+
+    std::size_t operandCount() const { return operands_.size(); }
+    // Whether the outside of an operand is what the whole may hold: its surface then looks the other way.
+    bool isInverted(std::size_t operand) const { return operands_[operand].isInverted; }
+    // A box round the whole, given those of its operands; infinite along axes where none bounds it.
+    core::Bounds bounds(std::span<const core::Bounds> operands) const;
+    // Calls f(number) with numbers that tell it from other trees.
+    template<class F>
+    void forEachNumber(F&& f) const {
+        for (const Node& node : nodes_) {
+            f(node.parent);
+            f(static_cast<std::uint32_t>(node.operation));
+        }
+        for (const Link& operand : operands_) f(operand.parent);
+    }
+    std::size_t bytes() const { return nodes_.capacity() * sizeof(Node) + operands_.capacity() * sizeof(Link); }
+
+private:
+    friend class CsgState;
+
+    struct Link {
+        std::uint32_t parent;
+        bool isComplement;  // the parent counts where it does not hold
+        bool isInverted = false;
+    };
+    struct Node : Link {
+        CsgOperation operation;
+        std::int32_t children = 0;
+        std::int32_t enough = 1;  // how many of them must count
+        std::int32_t counted = 0;  // far away, where no operand holds
+    };
+
+    Link link(std::uint32_t parent);
+
+    std::vector<Node> nodes_;  // parents first
+    std::vector<Link> operands_;
+};
+
+// What the whole holds on the way along a ray, as it goes into operands and out of them.
+class CsgState {
+public:
+    // Far away. counted: room for it to work with.
+    CsgState(const CsgTree& tree, std::vector<std::int32_t>& counted);
+
+    bool isInside() const { return isInside_; }
+    // Goes into an operand that the way was out of, or out of one that it was in.
+    void cross(std::size_t operand, bool enters);
+
+private:
+    bool holds(std::uint32_t node) const { return counted_[node] >= tree_.nodes_[node].enough; }
+
+    const CsgTree& tree_;
+    std::vector<std::int32_t>& counted_;  // of each node's children
+    bool isInside_;
+};
+
+}  // namespace gr
