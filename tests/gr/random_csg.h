@@ -88,7 +88,7 @@ public:
         static const std::vector<OracleOperand> operands = oracleOperands();
         const std::string name = "n" + std::to_string(count_++);
         const double kind = random_.next();
-        if (depth == 0 || kind < 0.3) {
+        if (depth == 0 || (kind < 0.3 && count_ > 1)) {
             // Planes are cut off by what is bounded: see below.
             const auto pick = static_cast<std::size_t>(random_.next() * static_cast<double>(operands.size() - 1));
             return operand(parent, name, around, operands[pick]);
