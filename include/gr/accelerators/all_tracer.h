@@ -111,28 +111,53 @@ private:
 
     // One ray after the other meets a CSG object.
     void nearestOf(const core::Ray<Real>& ray, const Mask& alive, const Csg& csg, HitOf<Real>& nearest) const {
-        const Mask near = LaneBoxRays<Real>(csg.bounded().objects(), ray, nearest.t).mayMeet();
         HitLanes<Real> hits(nearest);
-        const LaneRays<Real> rays(ray);
-        TraversalCounts counts;
-        core::forEachLane(core::bitsOf(alive & near), [&](int lane) {
+        const core::Ray<Real> endless{ray.origin, ray.direction, Real(core::infinity)};
+        forEachNear(endless, nearest.t, alive, csg, [&](int lane, const auto& oneRay) {
             Hit hit = hits.at(lane);
-            CsgTracer<TreeLanes>(scene_, csg, counts).nearest(rays.at(lane, core::infinity), hit);
+            oneRay.nearest(hit);
             hits.set(lane, hit);
         });
         nearest = hits.hit();
     }
     Mask isMetBy(const core::Ray<Real>& ray, const Mask& asked, const Csg& csg) const {
-        const Mask near = LaneBoxRays<Real>(csg.bounded().objects(), ray, ray.tMax).mayMeet();
-        const LaneRays<Real> rays(ray);
-        const core::LaneArray<Real> end(ray.tMax);
-        TraversalCounts counts;
         std::uint32_t met = 0;
-        core::forEachLane(core::bitsOf(asked & near), [&](int lane) {
-            const bool isMet = CsgTracer<TreeLanes>(scene_, csg, counts).occluded(rays.at(lane, end[lane]));
-            met |= std::uint32_t{isMet} << lane;
-        });
+        forEachNear(ray, ray.tMax, asked, csg,
+                    [&](int lane, const auto& oneRay) { met |= std::uint32_t{oneRay.occluded()} << lane; });
         return core::maskOf<Real>(met);
+    }
+
+    // A ray and a CSG object: of a small one the lanes have tested the operands before.
+    struct CsgRay {
+        const CsgTracer<TreeLanes>& tracer;
+        core::Rayf ray;
+        void nearest(Hit& hit) const { tracer.nearest(ray, hit); }
+        bool occluded() const { return tracer.occluded(ray); }
+    };
+    struct TestedCsgRay : CsgRay {
+        const CsgLanes<Real>& lanes;
+        int lane;
+        void nearest(Hit& hit) const { this->tracer.nearest(this->ray, lanes, lane, hit); }
+        bool occluded() const { return this->tracer.occluded(this->ray, lanes, lane); }
+    };
+
+    // Calls f(lane, ray) for the lanes whose rays come near the object before `end`.
+    template<class F>
+    void forEachNear(const core::Ray<Real>& ray, const Real& end, const Mask& asked, const Csg& csg, F&& f) const {
+        const Mask near = asked & LaneBoxRays<Real>(csg.bounded().objects(), ray, end).mayMeet();
+        if (!core::any(near)) return;
+        TraversalCounts counts;
+        const CsgTracer<TreeLanes> tracer(scene_, csg, counts);
+        const LaneRays<Real> rays(ray);
+        const core::LaneArray<Real> tMax(ray.tMax);
+        if (!CsgLanes<Real>::isFor(csg))
+            return core::forEachLane(core::bitsOf(near), [&](int lane) {
+                f(lane, CsgRay{tracer, rays.at(lane, tMax[lane])});
+            });
+        const CsgLanes<Real> lanes(scene_, csg, ray, counts);
+        core::forEachLane(core::bitsOf(near) & lanes.lanes(), [&](int lane) {
+            f(lane, TestedCsgRay{{tracer, rays.at(lane, tMax[lane])}, lanes, lane});
+        });
     }
 
     // Calls found(triangle, hit) for those that any lane's ray goes through. The exact areas are asked only there.

@@ -23,6 +23,25 @@ struct CsgCrossing {
     }
 };
 
+// Adds the ends of a part of the line that an operand holds, if it is ahead.
+inline void addSpan(float enter, float leave, std::uint32_t instance, std::vector<CsgCrossing>& crossings) {
+    crossings.push_back({{std::max(enter, 0.f), instance}, true});
+    if (leave < core::infinity) crossings.push_back({{std::max(enter, leave), instance, Hit::leaves}, false});
+}
+
+inline void sortCrossings(std::vector<CsgCrossing>& crossings) {
+    // Most rays have a few.
+    constexpr std::size_t few = 12;
+    if (crossings.size() <= few) {
+        for (std::size_t i = 1; i < crossings.size(); ++i)
+            for (std::size_t k = i; k > 0 && crossings[k].isBefore(crossings[k - 1]); --k)
+                std::swap(crossings[k], crossings[k - 1]);
+        return;
+    }
+    std::sort(crossings.begin(), crossings.end(),
+              [](const CsgCrossing& a, const CsgCrossing& b) { return a.isBefore(b); });
+}
+
 // Which side of an edge a ray passes on: 1 to its left, -1 to its right, 0 where it is seen end-on. As MeshLine has it,
 // one through an edge or a vertex so crosses just one of the triangles there. a, b: the edge's ends across the ray.
 inline int sideOfEdge(const core::Vec2f& a, const core::Vec2f& b) {
@@ -58,8 +77,7 @@ public:
         // What has no end matters only to what has one.
         if (found_.empty()) return;
         for (const std::uint32_t i : csg_.endless()) addEndless(ray, i);
-        std::sort(found_.begin(), found_.end(),
-                  [](const CsgCrossing& a, const CsgCrossing& b) { return a.isBefore(b); });
+        sortCrossings(found_);
     }
 
 private:
@@ -76,9 +94,8 @@ private:
                     if (left < width) ahead &= (1u << left) - 1;
                     if (ahead == 0) continue;
                     const core::LaneArray<Lanes> enter(span.enter), leave(span.leave);
-                    core::forEachLane(ahead, [&](int lane) {
-                        addSpan(enter[lane], std::max(enter[lane], leave[lane]), pack.instance[first + lane]);
-                    });
+                    core::forEachLane(
+                        ahead, [&](int lane) { addSpan(enter[lane], leave[lane], pack.instance[first + lane]); });
                 }
     }
     void add(const core::Ray<Lanes>&, const core::Rayf& ray, const MeshPack& pack) {
@@ -130,10 +147,7 @@ private:
             scene_.instances[i].shape);
     }
 
-    void addSpan(float enter, float leave, std::uint32_t instance) {
-        found_.push_back({{std::max(enter, 0.f), instance}, true});
-        if (leave < core::infinity) found_.push_back({{leave, instance, Hit::leaves}, false});
-    }
+    void addSpan(float enter, float leave, std::uint32_t instance) { gr::addSpan(enter, leave, instance, found_); }
 
     const Scene& scene_;
     const Csg& csg_;

@@ -3,6 +3,7 @@
 
 #include "gr/body_surface.h"
 #include "gr/csg/csg_crossings.h"
+#include "gr/csg/csg_lanes.h"
 
 namespace gr {
 
@@ -18,14 +19,27 @@ template<class Lanes>
 class CsgTracer {
 public:
     CsgTracer(const Scene& scene, const Csg& csg, TraversalCounts& counts)
-        : scene_(scene), csg_(csg), counts_(counts) {}
+        : scene_(scene), csg_(csg), counts_(counts), room_(ownRoom()) {
+        if (room_.windings.size() < csg.operandCount()) room_.windings.resize(csg.operandCount(), 0);
+    }
 
     // Replaces `nearest` by what comes before it.
     void nearest(const core::Rayf& ray, Hit& nearest) const {
-        const Hit hit = first(ray, std::min(ray.tMax, std::nextafter(nearest.t, core::infinity)));
+        const Hit hit = first(ray, nearest.t);
         if (hit.t < core::infinity && hit.isBefore(nearest)) nearest = hit;
     }
     bool occluded(const core::Rayf& ray) const { return first(ray, ray.tMax).t < core::infinity; }
+
+    // The same of one of the lanes that were tested at once.
+    template<class Real>
+    void nearest(const core::Rayf& ray, const CsgLanes<Real>& lanes, int lane, Hit& nearest) const {
+        const Hit hit = first(ray, lanes, lane, nearest.t);
+        if (hit.t < core::infinity && hit.isBefore(nearest)) nearest = hit;
+    }
+    template<class Real>
+    bool occluded(const core::Rayf& ray, const CsgLanes<Real>& lanes, int lane) const {
+        return first(ray, lanes, lane, ray.tMax).t < core::infinity;
+    }
 
 private:
     // Lists that each thread uses again and again.
@@ -39,18 +53,16 @@ private:
     class Way {
     public:
         Way(const Scene& scene, const Csg& csg, const core::Rayf& ray, Room& room)
-            : scene_(scene), csg_(csg), ray_(ray), room_(room), state_(csg.tree(), room.counted) {
-            if (room.windings.size() < csg.operandCount()) room.windings.resize(csg.operandCount(), 0);
-        }
+            : scene_(scene), csg_(csg), ray_(ray), room_(room), state_(csg.tree(), room.counted) {}
         ~Way() {
             for (const CsgCrossing& crossing : room_.crossings) room_.windings[operandAt(crossing)] = 0;
         }
 
-        // The first t, if it is less than `end`.
-        Hit first(float end) {
+        // The first, if it is not beyond `last`, nor where the ray ends.
+        Hit first(float last) {
             std::size_t i = 0;
             while (i < crossings().size() && crossings()[i].hit.t == 0) cross(i++);
-            for (; i < crossings().size() && crossings()[i].hit.t < end; ++i) {
+            for (; i < crossings().size() && isWithin(crossings()[i].hit.t, last); ++i) {
                 const bool before = state_.isInside();
                 cross(i);
                 if (state_.isInside() == before) continue;
@@ -70,6 +82,7 @@ private:
             float along;  // in t
         };
 
+        bool isWithin(float t, float last) const { return t <= last && t < ray_.tMax; }
         const std::vector<CsgCrossing>& crossings() const { return room_.crossings; }
         std::size_t operandAt(const CsgCrossing& crossing) const { return crossing.hit.instance - csg_.firstOperand(); }
 
@@ -146,18 +159,28 @@ private:
         CsgState state_;
     };
 
-    Hit first(const core::Rayf& ray, float end) const {
+    static Room& ownRoom() {
         thread_local Room room;
+        return room;
+    }
+
+    template<class Real>
+    Hit first(const core::Rayf& ray, const CsgLanes<Real>& lanes, int lane, float last) const {
+        lanes.crossings(lane, room_.crossings);
+        return Way(scene_, csg_, ray, room_).first(last);
+    }
+    Hit first(const core::Rayf& ray, float last) const {
         // What is within rounding of the end counts for what is before it.
         const float beyond = csg_.tolerance() * 0x1p10f / glm::length(ray.direction);
-        CsgCrossings<Lanes>(scene_, csg_, counts_, room.crossings).find(ray, end + beyond);
-        if (room.crossings.empty()) return {};
-        return Way(scene_, csg_, ray, room).first(end);
+        CsgCrossings<Lanes>(scene_, csg_, counts_, room_.crossings).find(ray, std::min(last, ray.tMax) + beyond);
+        if (room_.crossings.empty()) return {};
+        return Way(scene_, csg_, ray, room_).first(last);
     }
 
     const Scene& scene_;
     const Csg& csg_;
     TraversalCounts& counts_;
+    Room& room_;
 };
 
 }  // namespace gr

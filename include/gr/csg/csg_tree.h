@@ -52,24 +52,43 @@ private:
         CsgOperation operation;
         std::int32_t children = 0;
         std::int32_t enough = 1;  // how many of them must count
-        std::int32_t counted = 0;  // far away, where no operand holds
     };
 
     Link link(std::uint32_t parent);
 
     std::vector<Node> nodes_;  // parents first
     std::vector<Link> operands_;
+    std::vector<std::int32_t> farAway_;  // how many of each node's children count where no operand holds
 };
 
 // What the whole holds on the way along a ray, as it goes into operands and out of them.
 class CsgState {
 public:
     // Far away. counted: room for it to work with.
-    CsgState(const CsgTree& tree, std::vector<std::int32_t>& counted);
+    CsgState(const CsgTree& tree, std::vector<std::int32_t>& counted) : tree_(tree), counted_(counted) {
+        counted_ = tree.farAway_;
+        isInside_ = holds(0);
+    }
 
     bool isInside() const { return isInside_; }
     // Goes into an operand that the way was out of, or out of one that it was in.
-    void cross(std::size_t operand, bool enters);
+    void cross(std::size_t operand, bool enters) {
+        const CsgTree::Link* link = &tree_.operands_[operand];
+        bool isMore = enters != link->isComplement;
+        // As long as nodes change with it, their parents must be told.
+        for (std::uint32_t node = link->parent;; node = link->parent) {
+            const bool before = holds(node);
+            counted_[node] += isMore ? 1 : -1;
+            const bool after = holds(node);
+            if (before == after) return;
+            if (node == 0) {
+                isInside_ = after;
+                return;
+            }
+            link = &tree_.nodes_[node];
+            isMore = after != link->isComplement;
+        }
+    }
 
 private:
     bool holds(std::uint32_t node) const { return counted_[node] >= tree_.nodes_[node].enough; }

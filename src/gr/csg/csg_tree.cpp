@@ -25,10 +25,11 @@ void CsgTree::finish() {
     // A node without children holds nothing: one is enough, and there is none.
     for (Node& node : nodes_)
         if (node.operation != CsgOperation::isUnion) node.enough = std::max(node.children, 1);
-    for (const Link& operand : operands_) nodes_[operand.parent].counted += operand.isComplement;
+    farAway_.resize(nodes_.size());
+    for (const Link& operand : operands_) farAway_[operand.parent] += operand.isComplement;
     for (std::size_t i = nodes_.size(); i-- > 1;) {
         const Node& node = nodes_[i];
-        nodes_[node.parent].counted += (node.counted >= node.enough) != node.isComplement;
+        farAway_[node.parent] += (farAway_[i] >= node.enough) != node.isComplement;
     }
 }
 
@@ -46,31 +47,6 @@ core::Bounds CsgTree::bounds(std::span<const core::Bounds> operands) const {
     for (std::size_t i = 0; i < operands_.size(); ++i) add(operands_[i], operands[i]);
     for (std::size_t i = nodes_.size(); i-- > 1;) add(nodes_[i], boxes[i].isEmpty() ? core::Bounds() : boxes[i]);
     return boxes[0];
-}
-
-CsgState::CsgState(const CsgTree& tree, std::vector<std::int32_t>& counted) : tree_(tree), counted_(counted) {
-    counted_.resize(tree.nodes_.size());
-    std::transform(tree.nodes_.begin(), tree.nodes_.end(), counted_.begin(),
-                   [](const CsgTree::Node& node) { return node.counted; });
-    isInside_ = holds(0);
-}
-
-void CsgState::cross(std::size_t operand, bool enters) {
-    const CsgTree::Link* link = &tree_.operands_[operand];
-    bool isMore = enters != link->isComplement;
-    // As long as nodes change with it, their parents must be told.
-    for (std::uint32_t node = link->parent;; node = link->parent) {
-        const bool before = holds(node);
-        counted_[node] += isMore ? 1 : -1;
-        const bool after = holds(node);
-        if (before == after) return;
-        if (node == 0) {
-            isInside_ = after;
-            return;
-        }
-        link = &tree_.nodes_[node];
-        isMore = after != link->isComplement;
-    }
 }
 
 }  // namespace gr
