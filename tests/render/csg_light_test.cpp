@@ -98,16 +98,16 @@ TEST_P(CsgGlass, StandsOnTheFloor) {
 
 // A frame, once as a block less a block and once as a mesh: the same light on all of it, by both integrators.
 TEST(CsgLight, IsThatOfAMeshOfTheSameShape) {
-    const auto room = [] {
-        SameLight light;
+    const auto furnish = [](SameLight& light) {
         light.scene.add("room", gr::BoxNode{{-2, -2, -2}, {4, 4, 4}}, core::Rgbf(0.7f, 0.6f, 0.5f));
         light.scene.addAreaLight("lamp", core::Rgbf(4, 3, 2), {0.3, 1.9, 0.2}, 2);
         light.scene.settings.globalIllumination = true;
         light.scene.settings.antialiasing = true;
         light.scene.settings.pathLength = 4;
-        return light;
     };
-    SameLight csg = room(), mesh = room();
+    SameLight csg, mesh;
+    furnish(csg);
+    furnish(mesh);
     csg.scene.add("frame", gr::DifferenceNode{}, core::Rgbf(0.8f, 0.3f, 0.2f));
     csg.scene.database.create(":frame", "block", gr::BoxNode{{-1, -1, -0.2}, {2, 2, 0.4}});
     csg.scene.database.create(":frame", "hole", gr::BoxNode{{-0.6, -0.6, -0.2}, {1.2, 1.2, 0.4}});
