@@ -1,5 +1,6 @@
 #include "gr/accelerators/wide_tree.h"
 
+#include "core/fork_join.h"
 #include "core/parallel.h"
 #include "gr/accelerators/embree_library.h"
 #include "gr/accelerators/median_tree.h"
@@ -31,6 +32,7 @@ float powerOfTwo(float x) {
 struct Builder {
     const WideTree::MakeLeaf& makeLeaf;
     float unit;  // of Embree's coordinates, in ours
+    core::ForkJoin order = {};
 
     static const Builder& from(void* user) { return *static_cast<const Builder*>(user); }
 
@@ -41,18 +43,21 @@ struct Builder {
         return memory;
     }
 
-    static void* createNode(RTCThreadLocalAllocator allocator, unsigned, void*) {
+    static void* createNode(RTCThreadLocalAllocator allocator, unsigned, void* user) {
+        const core::ForkJoin::Task here(from(user).order);
         auto* node = static_cast<TreeNode*>(allocate(allocator, sizeof(TreeNode)));
         node->clear();
         return node;
     }
 
-    static void setChildren(void* node, void** children, unsigned count, void*) {
+    static void setChildren(void* node, void** children, unsigned count, void* user) {
+        const core::ForkJoin::Task here(from(user).order);
         for (unsigned i = 0; i < count; ++i)
             static_cast<TreeNode*>(node)->child[i] = std::bit_cast<TreeReference>(children[i]);
     }
 
     static void setBounds(void* node, const RTCBounds** bounds, unsigned count, void* user) {
+        const core::ForkJoin::Task here(from(user).order);
         const float unit = from(user).unit;
         auto& filled = *static_cast<TreeNode*>(node);
         for (unsigned i = 0; i < count; ++i) {
@@ -64,6 +69,7 @@ struct Builder {
 
     static void* createLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t count,
                             void* user) {
+        const core::ForkJoin::Task here(from(user).order);
         std::array<std::uint32_t, treeWidth> items;
         for (std::size_t i = 0; i < count; ++i) items[i] = primitives[i].primID;
         const auto allocateHere = [&](std::size_t bytes) { return allocate(allocator, bytes); };
@@ -135,7 +141,9 @@ void WideTree::buildByEmbree(const EmbreeDevice& device, std::uint32_t count, co
     arguments.createLeaf = Builder::createLeaf;
     arguments.userPtr = &builder;
     // Embree, too, runs on TBB: as many threads as are allowed here.
-    core::parallelFor(1, threads, [&](int) { root_ = std::bit_cast<TreeReference>(embree().rtcBuildBVH(&arguments)); });
+    core::parallelFor(1, threads, [&](int) {
+        builder.order.run([&] { root_ = std::bit_cast<TreeReference>(embree().rtcBuildBVH(&arguments)); });
+    });
     try {
         device.check();
     } catch (...) {
