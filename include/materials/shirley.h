@@ -57,15 +57,13 @@ struct Shirley {
 
     template<class Real, class Point>
     ShirleyBsdf<Real> at(const Point&) const {
-        core::Rgbf base = diffuse, highlight = specular;
-        if (keepDiffuse) {
-            highlight = shown().highlight;
-            // What the BSDF shows of it is base (1 - highlight).
-            for (int i = 0; i < 3; ++i)
-                base[i] = highlight[i] < 1 ? std::min(1.f, shown().base[i] / (1 - highlight[i])) : 0.f;
-        }
+        const Shown kept = keepDiffuse ? shown() : Shown{};
+        core::Rgbf base = diffuse;
+        // What the BSDF shows of it is base (1 - highlight).
+        for (int i = 0; i < 3 && keepDiffuse; ++i)
+            base[i] = kept.highlight[i] < 1 ? std::min(1.f, kept.base[i] / (1 - kept.highlight[i])) : 0.f;
         return {core::broadcast<Real>(base),
-                core::broadcast<Real>(highlight),
+                core::broadcast<Real>(keepDiffuse ? kept.highlight : specular),
                 {Real(exponents.x), Real(exponents.y)},
                 sampling,
                 perturbation};
@@ -77,9 +75,9 @@ struct Shirley {
     core::Rgbf ambientReflectance() const { return diffuse; }
 
 private:
-    // What is seen along the normal; the sum is at most 1 in each channel.
+    // What is seen along the normal; their sum is at most 1 in each channel.
     struct Shown {
-        core::Rgbf base, highlight;
+        core::Rgbf base{0}, highlight{0};
     };
     // Where R_d is kept, both keep their hue. Phong's model, which older scenes are made for, bounds neither: the base
     // is R_d, but leaves the highlight what a varnish reflects, 0.04, if that is less than R_s; the highlight is R_s

@@ -69,11 +69,12 @@ std::string octalHint(std::string_view word) {
 
 std::string bracesHint(std::string_view word) {
     if (!isUnreplaced(word)) return "";
-    constexpr std::size_t most = 60;  // letters; a longer list does not fit the message
+    constexpr std::size_t most = 60;  // letters; what is longer, or has lines, does not fit the message
+    if (word.size() > most || word.find('\n') != std::string_view::npos) return " (nothing is replaced in braces)";
     const std::vector<std::string_view> words = typedWords(word);
     std::string code;
     for (const std::string_view one : words) code += (code.empty() ? "" : " ") + asCode(one);
-    if (words.size() > 1) code = word.size() > most ? "[list ...]" : "[list " + code + "]";
+    if (words.size() > 1) code = "[list " + code + "]";
     return " (nothing is replaced in braces: write " + code + ")";
 }
 
