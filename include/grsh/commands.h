@@ -28,6 +28,7 @@ struct Call {
     Tcl_Interp* interp;
     Session& session;
     Words words;
+    std::string_view kind;  // the command's name without its gr_: what #auto counts
 };
 
 // To add a command: write its function and a row in the file of its topic. Word counts, usage errors, gr_help and
@@ -48,6 +49,7 @@ inline constexpr std::size_t anyNumberOfWords = ~std::size_t{0};
 
 std::span<const Command> shapeCommands();
 std::span<const Command> nodeCommands();
+std::span<const Command> transformCommands();
 std::span<const Command> materialCommands();
 std::span<const Command> lightCommands();
 std::span<const Command> renderCommands();
@@ -59,11 +61,12 @@ std::span<const Command> safeCommands();
 // All of ours, in the order in which help lists them.
 std::vector<const Command*> allCommands();
 
-// The options that a command takes, as text for gr_help; empty for a command without any.
-std::string materialOptionsHelp();
-std::string renderOptionsHelp();
-std::string compareOptionsHelp();
-std::string meshOptionsHelp();
+// What is known of the options that a command takes.
+struct OptionHelp;
+std::vector<OptionHelp> materialOptionsHelp();
+std::vector<OptionHelp> renderOptionsHelp();
+std::vector<OptionHelp> compareOptionsHelp();
+std::vector<OptionHelp> meshOptionsHelp();
 
 // Creates the commands, and a session that lives as long as the interpreter; files lives longer.
 void registerCommands(Tcl_Interp* interp, const FileAccess& files, const Limits& limits, bool resumes);

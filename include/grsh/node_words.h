@@ -19,7 +19,8 @@ inline void checkNew(Call& call) {
 }
 
 inline Tcl_Obj* create(Call& call, gr::NodeContent content) {
-    const gr::Node& node = call.session.database.create(call.words.text(0), call.words.text(1), std::move(content));
+    auto& database = call.session.database;
+    const gr::Node& node = database.create(call.words.text(0), call.words.text(1), std::move(content), call.kind);
     return textObject(node.path());
 }
 

@@ -61,12 +61,12 @@ inline void readOption(std::string& value, Tcl_Obj* word, std::string_view what,
 }
 inline void readOption(core::Rgbf& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
                        std::span<const core::Word>) {
-    value = core::Rgbf(vectorFrom(word, what, range));
+    value = colourFrom(word, what, range);
 }
 inline void readOption(core::Vec2f& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
                        std::span<const core::Word>) {
     std::array<double, 2> numbers;
-    numbersFrom(word, what, range, numbers);
+    oneOrMoreFrom(word, what, range, numbers);
     value = {static_cast<float>(numbers[0]), static_cast<float>(numbers[1])};
 }
 // Scaled to sum to 1.
@@ -105,6 +105,19 @@ inline void readOption(core::WordList& value, Tcl_Obj* word, std::string_view wh
     }
 }
 
+// An option's value, into owner.
+template<class Owner>
+void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) {
+    // Three amounts with a form of their own, like {ar ag ab}, are no colour.
+    if (const auto* channels = std::get_if<core::Rgbf Owner::*>(&row.member);
+        channels != nullptr && !row.form.empty()) {
+        owner.*(*channels) = channelsFrom(word, row.name, row.range);
+        return;
+    }
+    const auto read = [&](auto member) { readOption(owner.*member, word, row.name, row.range, row.words); };
+    std::visit(read, row.member);
+}
+
 // Reads the pairs of option and value from word `first` on into owner. noOption: what a message says before the name of
 // an option that there is not, e.g. "a diffuse material has no option".
 template<class Owner>
@@ -124,17 +137,20 @@ void readOptions(const Words& words, std::size_t first, std::string_view noOptio
             throw core::Error("OPTION", "TWICE", word, "option \"" + word + "\" is given twice");
         if (i + 1 == words.size()) throw core::Error("OPTION", "VALUE", word, "option \"" + word + "\" needs a value");
         given.push_back(row->name);
-        const auto read = [&](auto member) {
-            readOption(owner.*member, words.object(i + 1), row->name, row->range, row->words);
-        };
-        std::visit(read, row->member);
+        readOption(*row, words.object(i + 1), owner);
     }
 }
 
-// The rows as lines of help: name, type, range, unit, default, meaning.
+// What gr_help says of an option.
+struct OptionHelp {
+    std::string_view name, alias;
+    std::string_view type;  // the material's that has it; empty for the options of other commands
+    std::string text;  // lines: name, type, range, unit, default, and below them the meaning
+};
+
 template<class Owner>
-std::string optionsHelp(std::span<const core::OptionRow<Owner>> rows) {
-    std::string text;
+std::vector<OptionHelp> optionsHelp(std::span<const core::OptionRow<Owner>> rows, std::string_view type = {}) {
+    std::vector<OptionHelp> options;
     for (const auto& row : rows) {
         std::string line = "  " + std::string(row.name);
         line.resize(std::max<std::size_t>(line.size() + 1, 25), ' ');
@@ -142,9 +158,9 @@ std::string optionsHelp(std::span<const core::OptionRow<Owner>> rows) {
         if (const std::string range = core::rangeText(row.range); !range.empty()) line += " " + range;
         if (!row.unit.empty()) line += ", " + std::string(row.unit);
         line += " (default " + core::defaultText(row) + ")";
-        text += line + "\n      " + std::string(row.help) + "\n";
+        options.push_back({row.name, row.alias, type, line + "\n      " + std::string(row.help)});
     }
-    return text;
+    return options;
 }
 
 }  // namespace grsh

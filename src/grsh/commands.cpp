@@ -1,6 +1,7 @@
 #include "grsh/commands.h"
 #include "grsh/error_place.h"
 #include "grsh/last_resort.h"
+#include "grsh/word_hints.h"
 
 #include <new>
 #include <system_error>
@@ -34,9 +35,18 @@ int wrongWords(Tcl_Interp* interp, const Binding& binding) {
 }
 
 int failed(Tcl_Interp* interp, std::string_view command, const core::Error& error) {
-    Tcl_SetObjResult(interp, textObject(std::string(command) + ": " + error.what()));
+    // A name that is not known may be a variable that nothing has replaced.
+    const bool isName = error.reason == "UNKNOWN" || error.reason == "WORD";
+    const std::string hint = isName ? bracesHint(error.word) : "";
+    Tcl_SetObjResult(interp, textObject(std::string(command) + ": " + error.what() + hint));
     Tcl_SetErrorCode(interp, "GR", error.topic.c_str(), error.reason.c_str(), error.word.c_str(), nullptr);
     return TCL_ERROR;
+}
+
+// Those that are Tcl's own have no gr_.
+std::string_view kindOf(const Command& command) {
+    constexpr std::string_view prefix = "gr_";
+    return command.name.starts_with(prefix) ? command.name.substr(prefix.size()) : command.name;
 }
 
 // The one place where errors of ours become Tcl's; no exception leaves it.
@@ -46,7 +56,7 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
     const std::size_t words = static_cast<std::size_t>(objc) - 1;
     if (words < binding.command->leastWords || words > binding.command->mostWords) return wrongWords(interp, binding);
     try {
-        Call call{interp, *binding.session, Words(objc, objv)};
+        Call call{interp, *binding.session, Words(objc, objv), kindOf(*binding.command)};
         Tcl_Obj* result = binding.command->function(call);
         if (result != nullptr) Tcl_SetObjResult(interp, result);
         return TCL_OK;
@@ -127,8 +137,8 @@ void throwWrongWords() {
 
 std::vector<const Command*> allCommands() {
     std::vector<const Command*> commands;
-    for (const auto table : {shapeCommands(), nodeCommands(), materialCommands(), lightCommands(), renderCommands(),
-                             imageCommands(), statsCommands(), helpCommands()})
+    for (const auto table : {shapeCommands(), nodeCommands(), transformCommands(), materialCommands(), lightCommands(),
+                             renderCommands(), imageCommands(), statsCommands(), helpCommands()})
         for (const Command& command : table) commands.push_back(&command);
     return commands;
 }

@@ -1,9 +1,22 @@
 #include "grsh/commands.h"
+#include "grsh/option_words.h"
 
 #include <array>
 
 namespace grsh {
 namespace {
+
+// The commands that take options.
+struct OptionTable {
+    std::string_view command;
+    std::vector<OptionHelp> (*options)();
+};
+constexpr std::array<OptionTable, 4> optionTables{{
+    {"gr_render", renderOptionsHelp},
+    {"gr_compare", compareOptionsHelp},
+    {"gr_mesh", meshOptionsHelp},
+    {"gr_material", materialOptionsHelp},
+}};
 
 std::string oneLineEach() {
     std::string text;
@@ -15,39 +28,81 @@ std::string oneLineEach() {
     return text + "gr_help command says more, e.g. gr_help gr_render";
 }
 
+// Those of one type of material behind a line that names it.
+std::string listOf(const std::vector<OptionHelp>& options) {
+    std::string text;
+    std::string_view type;
+    for (const OptionHelp& option : options) {
+        if (option.type != type) text += "\ntype " + std::string(option.type) + ":";
+        type = option.type;
+        text += "\n" + option.text;
+    }
+    return text;
+}
+
 std::string about(const Command& command) {
     std::string text = std::string(command.name);
     if (!command.usage.empty()) text += " " + std::string(command.usage);
     text += "\n" + std::string(command.help);
     if (!command.details.empty()) text += "\n" + std::string(command.details);
     if (!command.alias.empty()) text += "\nolder name: " + std::string(command.alias);
-    std::string options;
-    if (command.name == "gr_render") options = renderOptionsHelp();
-    if (command.name == "gr_compare") options = compareOptionsHelp();
-    if (command.name == "gr_mesh") options = meshOptionsHelp();
-    if (command.name == "gr_material") options = materialOptionsHelp();
-    if (!options.empty()) {
-        options.pop_back();
-        text += "\noptions, with or without a leading dash:\n" + options;
-    }
+    for (const OptionTable& table : optionTables)
+        if (command.name == table.command)
+            text += "\noptions, with or without a leading dash:" + listOf(table.options());
     return text;
+}
+
+// Of every material type and every option of that name; empty where there is none.
+std::string aboutOptions(std::string_view name) {
+    const std::string_view word = withoutDash(name);
+    if (word.empty()) return "";
+    std::string text;
+    const auto add = [&](const std::string& lines) { text += (text.empty() ? "" : "\n") + lines; };
+    std::vector<OptionHelp> ofType;
+    for (OptionHelp& option : materialOptionsHelp())
+        if (option.type == name) ofType.push_back(std::move(option));
+    if (!ofType.empty())
+        add("gr_material name " + std::string(name) +
+            " ?option value ...?, with or without a leading dash:" + listOf(ofType));
+    for (const OptionTable& table : optionTables)
+        for (const OptionHelp& option : table.options())
+            if (word == option.name || word == option.alias)
+                add("option of " + std::string(table.command) +
+                    (option.type.empty() ? "" : ", type " + std::string(option.type)) + ":\n" + option.text);
+    return text;
+}
+
+// All that something is known of.
+std::vector<std::string_view> topics() {
+    std::vector<std::string_view> names;
+    for (const Command* command : allCommands()) {
+        names.push_back(command->name);
+        if (!command->alias.empty()) names.push_back(command->alias);
+    }
+    for (const OptionTable& table : optionTables) {
+        for (const OptionHelp& option : table.options()) {
+            names.push_back(option.name);
+            if (!option.type.empty()) names.push_back(option.type);
+        }
+    }
+    return names;
 }
 
 Tcl_Obj* help(Call& call) {
     if (call.words.size() == 0) return textObject(oneLineEach());
     const std::string_view name = call.words.text(0);
-    std::vector<std::string_view> names;
-    for (const Command* command : allCommands()) {
-        if (name == command->name || (!name.empty() && name == command->alias)) return textObject(about(*command));
-        names.push_back(command->name);
-        if (!command->alias.empty()) names.push_back(command->alias);
-    }
+    for (const Command* command : allCommands())
+        if (!name.empty() && (name == command->name || name == command->alias || name == command->name.substr(3)))
+            return textObject(about(*command));
+    if (const std::string text = aboutOptions(name); !text.empty()) return textObject(text);
     throw core::Error("COMMAND", "UNKNOWN", std::string(name),
-                      "no such command " + quoted(name) + core::didYouMean(name, names));
+                      std::string("no such command") + (name.starts_with("gr_") ? " " : ", material type or option ") +
+                          quoted(name) + core::didYouMean(name, topics()));
 }
 
 constexpr std::array<Command, 1> rows{{
-    {"gr_help", "", "?command?", 0, 1, help, "returns what the commands do, or how one is used"},
+    {"gr_help", "", "?word?", 0, 1, help,
+     "returns what the commands do, or what is known of a command, a material type or an option"},
 }};
 
 }  // namespace

@@ -163,7 +163,7 @@ std::span<const Command> imageCommands() {
     return rows;
 }
 
-std::string compareOptionsHelp() {
+std::vector<OptionHelp> compareOptionsHelp() {
     return optionsHelp(CompareSettings::options());
 }
 

@@ -12,34 +12,41 @@ std::vector<std::string_view> typeNames() {
     return names;
 }
 
-// gr_material name type ?option value ...?
-materials::Material readTyped(Call& call) {
-    const std::string type(call.words.text(1));
+constexpr std::string_view redefine = "-redefine";
+
+// type ?option value ...?, from word `first` on.
+materials::Material readTyped(Call& call, std::size_t first) {
+    const std::string type(call.words.text(first));
     std::optional<materials::Material> material;
     materials::forEachMaterialType([&]<class M>() {
         if (type != M::typeName) return;
         M parameters;
-        readOptions(call.words, 2, "a " + type + " material has no option", parameters);
+        readOptions(call.words, first + 1, "a " + type + " material has no option", parameters);
         material = parameters;
     });
     if (material) return *material;
+    const std::array<std::string_view, 1> options{redefine};
+    if (const std::string hint = core::didYouMean(call.words.text(0), options); first == 1 && !hint.empty())
+        throw core::Error("OPTION", "UNKNOWN", std::string(call.words.text(0)),
+                          "no such option " + quoted(call.words.text(0)) + hint);
     throw core::Error("MATERIAL", "TYPE", type,
                       "no such type " + quoted(type) + core::didYouMean(type, typeNames()) + ": must be " +
                           core::listed(typeNames()) + ", or {kd} {ks} exponent");
 }
 
-// gr_material name {kd} {ks} exponent: the course's older form. Without specular reflection it is a diffuse material.
-materials::Material readOlderForm(Call& call) {
-    const core::Rgbf diffuse = call.words.colour(1, "kd", core::unitInterval);
-    const core::Rgbf specular = call.words.colour(2, "ks", core::unitInterval);
-    const double exponent = call.words.number(3, "exponent", {.least = 0, .most = materials::Shirley::mostExponent});
-    if (specular == core::Rgbf(0)) return materials::Diffuse{.reflectance = diffuse};
+// {kd} {ks} exponent, from word `first` on: the course's older form. Without a highlight it is a diffuse material.
+materials::Material readOlderForm(Call& call, std::size_t first) {
+    const core::Rgbf kd = call.words.colour(first, "kd", core::unitInterval);
+    const core::Rgbf ks = call.words.colour(first + 1, "ks", core::unitInterval);
+    const core::Range range{.least = 0, .most = materials::Shirley::mostExponent};
+    const double exponent = call.words.number(first + 2, "exponent", range);
+    if (ks == core::Rgbf(0)) return materials::Diffuse{.reflectance = kd};
     return materials::Shirley{
-        .diffuse = diffuse, .specular = specular, .exponents = core::Vec2f(static_cast<float>(exponent))};
+        .diffuse = kd, .specular = ks, .exponents = core::Vec2f(static_cast<float>(exponent)), .keepDiffuse = true};
 }
 
 // Ways to go on that the material cannot take give black samples: asked for by mistake, most likely.
-void warnOfBlackSamples(Call& call, const materials::Material& material) {
+void warnOfBlackSamples(Call& call, std::string_view name, const materials::Material& material) {
     constexpr std::array<std::string_view, 4> methods{"diffuse", "reflective", "refractive", "Shirley"};
     std::visit(
         [&]<class M>(const M& m) {
@@ -48,17 +55,31 @@ void warnOfBlackSamples(Call& call, const materials::Material& material) {
                 if (m.sampling && (*m.sampling)[i] > 0 && !M::canSample[i])
                     black += (black.empty() ? "" : " and ") + std::string(methods[i]);
             if (!black.empty())
-                warn(call, "gr_material: " + quoted(call.words.text(0)) + " is " + std::string(M::typeName) + ": its " +
-                               black + " samples are black");
+                warn(call, "gr_material: " + quoted(name) + " is " + std::string(M::typeName) + ": its " + black +
+                               " samples are black");
         },
         material);
 }
 
+// gr_material ?-redefine? name type ?option value ...?, or name {kd} {ks} exponent
 Tcl_Obj* makeMaterial(Call& call) {
-    const bool older = call.words.size() == 4 && call.words.listLength(1) != 1;
-    const materials::Material material = older ? readOlderForm(call) : readTyped(call);
-    call.session.database.addMaterial(call.words.text(0), material);
-    warnOfBlackSamples(call, material);
+    const bool redefines = call.words.text(0) == redefine;
+    const std::size_t name = redefines ? 1 : 0, first = name + 1;
+    if (call.words.size() <= first) throwWrongWords();
+    const bool older = call.words.size() == first + 3 && call.words.isColour(first);
+    const materials::Material material = older ? readOlderForm(call, first) : readTyped(call, first);
+    const std::string words = call.words.textFrom(first);
+    std::string made(call.words.text(name));
+    if (redefines)
+        call.session.database.redefineMaterial(made, material, words);
+    else
+        made = call.session.database.addMaterial(made, material, words);
+    warnOfBlackSamples(call, made, material);
+    return textObject(made);
+}
+
+Tcl_Obj* removeMaterial(Call& call) {
+    call.session.database.removeMaterial(call.words.text(0));
     return nullptr;
 }
 
@@ -67,9 +88,10 @@ Tcl_Obj* setMaterial(Call& call) {
     return nullptr;
 }
 
-constexpr std::array<Command, 2> rows{{
-    {"gr_material", "", "name type ?option value ...?", 2, anyNumberOfWords, makeMaterial,
-     "makes a material; the older form {kd} {ks} exponent in place of type and options still works"},
+constexpr std::array<Command, 3> rows{{
+    {"gr_material", "", "?-redefine? name type ?option value ...?", 2, anyNumberOfWords, makeMaterial,
+     "makes or changes a material; the older form {kd} {ks} exponent in place of type and options still works"},
+    {"gr_delete_material", "", "name", 1, 1, removeMaterial, "deletes a material that no node has"},
     {"gr_surfaceproperty", "gr_set_material", "node material", 2, 2, setMaterial,
      "gives a node, and what is below it without a material of its own, a material"},
 }};
@@ -80,11 +102,12 @@ std::span<const Command> materialCommands() {
     return rows;
 }
 
-std::string materialOptionsHelp() {
-    std::string text;
-    materials::forEachMaterialType(
-        [&]<class M>() { text += "type " + std::string(M::typeName) + ":\n" + optionsHelp(M::options()); });
-    return text;
+std::vector<OptionHelp> materialOptionsHelp() {
+    std::vector<OptionHelp> options;
+    materials::forEachMaterialType([&]<class M>() {
+        for (OptionHelp& option : optionsHelp(M::options(), M::typeName)) options.push_back(std::move(option));
+    });
+    return options;
 }
 
 }  // namespace grsh

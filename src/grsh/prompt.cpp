@@ -60,10 +60,18 @@ void evaluate(Tcl_Interp* interp, const std::string& command) {
     print(TCL_STDERR, (where.empty() ? "" : where + ": ") + result + "\n");
 }
 
+// Words that somebody types who does not know gr_help; a script's own commands of these names stay.
+void addHelp(Tcl_Interp* interp) {
+    Tcl_CmdInfo info;
+    for (const char* name : {"help", "?"})
+        if (!Tcl_GetCommandInfo(interp, name, &info)) Tcl_CreateAlias(interp, name, interp, "gr_help", 0, nullptr);
+}
+
 }  // namespace
 
 int runPrompt(Tcl_Interp* interp) {
     makeInterruptible(interp);
+    addHelp(interp);
     std::string command;
     while (true) {
         if (endsThePrompt()) return ending().code;

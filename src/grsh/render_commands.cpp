@@ -53,11 +53,26 @@ void warnOfNoise(Call& call, const RenderJob& job, const render::RenderResult& r
                    (result.noise ? "but " + render::noiseText(*result.noise) : "too few to tell what is"));
 }
 
+// The lights of gr_light that the command does not name, which is what most often makes a picture black.
+std::string lightsLeftOut(const RenderJob& job, const gr::Database& database) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> names;
+    for (const std::string& name : database.lightNames())
+        if (std::find(job.lights.begin(), job.lights.end(), name) == job.lights.end())
+            names.push_back(grsh::quoted(name));
+    if (names.empty()) return "";
+    const std::size_t more = names.size() > most ? names.size() - most : 0;
+    names.resize(names.size() - more);
+    if (more > 0) names.push_back(std::to_string(more) + " more");
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    return "; gr_render does not name the lights that there are: " + core::listed(words, "and");
+}
+
 void warnOfScene(Call& call, const RenderJob& job, const gr::Scene& scene) {
     if (!hasLight(job, scene))
         warn(call, "gr_render: " + job.file +
                        ": nothing shines, the picture is black: no lamp and no light named has " +
-                       "radiance, and background and ambient are black");
+                       "radiance, and background and ambient are black" + lightsLeftOut(job, call.session.database));
     for (const std::string& text : scene.warnings) warn(call, "gr_render: " + job.file + ": " + text);
 }
 
@@ -154,7 +169,7 @@ std::span<const Command> renderCommands() {
     return rows;
 }
 
-std::string renderOptionsHelp() {
+std::vector<OptionHelp> renderOptionsHelp() {
     return optionsHelp(render::RenderSettings::options());
 }
 

@@ -1,6 +1,7 @@
 #include "grsh/render_job.h"
 
 #include "core/memory.h"
+#include "grsh/css_colours.h"
 #include "grsh/option_words.h"
 #include "image/film.h"
 #include "render/render.h"
@@ -32,11 +33,15 @@ bool isOption(Call& call, std::size_t i) {
     return i < call.words.size() && findOption(render::RenderSettings::options(), call.words.text(i)) != nullptr;
 }
 
-// No option is written like a list or a number.
+// No option is written like a colour. What is none of both is the one that it is spelled most like.
 bool isAmbient(Call& call, std::size_t i) {
-    double number = 0;
-    return i < call.words.size() &&
-           (call.words.listLength(i) != 1 || Tcl_GetDoubleFromObj(nullptr, call.words.object(i), &number) == TCL_OK);
+    if (i >= call.words.size() || isOption(call, i)) return false;
+    if (call.words.isColour(i)) return true;
+    std::vector<std::string_view> options;
+    for (const auto& row : render::RenderSettings::options()) options.push_back(row.name);
+    const std::string_view word = call.words.text(i);
+    return word.starts_with('#') ||
+           (core::nearest(withoutDash(word), options).empty() && !core::nearest(word, cssColourNames()).empty());
 }
 
 // Behind ambient. One word is the name of a light, or an option misspelt: then the rest makes pairs with it.

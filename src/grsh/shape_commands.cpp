@@ -202,7 +202,7 @@ std::span<const Command> shapeCommands() {
     return rows;
 }
 
-std::string meshOptionsHelp() {
+std::vector<OptionHelp> meshOptionsHelp() {
     return optionsHelp(gr::MeshSettings::options());
 }
 

@@ -1,5 +1,9 @@
 #include "grsh/words.h"
 
+#include "grsh/css_colours.h"
+#include "grsh/tcl_value.h"
+#include "grsh/word_hints.h"
+
 namespace grsh {
 namespace {
 
@@ -11,20 +15,22 @@ std::string describe(std::string_view kind, const core::Range& range) {
     return std::string(kind) + (isInterval ? " from " : " ") + text;
 }
 
-// Tcl reads a number that begins with 0 as octal, and refuses 08 and 09.
-bool isBadOctal(std::string_view number) {
-    if (number.starts_with('-') || number.starts_with('+')) number.remove_prefix(1);
-    return number.starts_with('0') && number.find_first_not_of("0123456789") == std::string_view::npos &&
-           number.find_first_of("89") != std::string_view::npos;
+std::string countText(std::size_t count) {
+    constexpr std::string_view counts[] = {"one", "two", "three", "four"};
+    return count <= std::size(counts) ? std::string(counts[count - 1]) : std::to_string(count);
 }
 
-std::string octalHint(std::string_view words) {
-    while (!words.empty()) {
-        const std::size_t end = std::min(words.find_first_of(" \t\n{}"), words.size());
-        if (isBadOctal(words.substr(0, end))) return " (a leading 0 makes a number octal)";
-        words.remove_prefix(std::min(end + 1, words.size()));
+// Whether the list has just so many numbers, all within the range.
+bool readNumbers(Tcl_Obj* object, const core::Range& range, std::span<double> numbers) {
+    int count = 0;
+    Tcl_Obj** elements = nullptr;
+    if (Tcl_ListObjGetElements(nullptr, object, &count, &elements) != TCL_OK) return false;
+    if (static_cast<std::size_t>(count) != numbers.size()) return false;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool isNumber = Tcl_GetDoubleFromObj(nullptr, elements[i], &numbers[i]) == TCL_OK;
+        if (!isNumber || !range.contains(numbers[i])) return false;
     }
-    return "";
+    return true;
 }
 
 }  // namespace
@@ -46,10 +52,11 @@ std::string quoted(std::string_view word) {
     return "\"" + text.substr(0, cut) + "...\"";
 }
 
-void throwBadValue(std::string_view what, std::string_view expected, Tcl_Obj* word) {
-    throw core::Error("VALUE", "RANGE", std::string(textOf(word)),
-                      std::string(what) + " must be " + std::string(expected) + ", not " + quoted(textOf(word)) +
-                          octalHint(textOf(word)));
+void throwBadValue(std::string_view what, std::string_view expected, Tcl_Obj* word, std::string_view suggestion) {
+    const std::string_view text = textOf(word);
+    throw core::Error("VALUE", "RANGE", std::string(text),
+                      std::string(what) + " must be " + std::string(expected) + ", not " + quoted(text) +
+                          std::string(suggestion) + octalHint(text) + bracesHint(text));
 }
 
 std::string_view textOf(Tcl_Obj* object) {
@@ -81,27 +88,46 @@ int integerFrom(Tcl_Obj* object, std::string_view what, const core::Range& range
 }
 
 void numbersFrom(Tcl_Obj* object, std::string_view what, const core::Range& range, std::span<double> numbers) {
+    if (readNumbers(object, range, numbers)) return;
     // Made only when it is needed: a scene may hold a million vectors.
-    const auto refuse = [&] {
-        constexpr std::string_view counts[] = {"two", "three", "four"};
-        const std::string kind = std::string(counts[numbers.size() - 2]) + " finite numbers";
-        const bool isBounded = !core::rangeText(range).empty();
-        throwBadValue(what, describe(isBounded ? kind + ", each" : kind, range), object);
-    };
-    int count = 0;
-    Tcl_Obj** elements = nullptr;
-    if (Tcl_ListObjGetElements(nullptr, object, &count, &elements) != TCL_OK) refuse();
-    if (static_cast<std::size_t>(count) != numbers.size()) refuse();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const bool isNumber = Tcl_GetDoubleFromObj(nullptr, elements[i], &numbers[i]) == TCL_OK;
-        if (!isNumber || !range.contains(numbers[i])) refuse();
+    const std::string kind = countText(numbers.size()) + " finite numbers";
+    const bool isBounded = !core::rangeText(range).empty();
+    throwBadValue(what, describe(isBounded ? kind + ", each" : kind, range), object);
+}
+
+void oneOrMoreFrom(Tcl_Obj* object, std::string_view what, const core::Range& range, std::span<double> numbers) {
+    if (readNumbers(object, range, numbers.first(1))) {
+        std::fill(numbers.begin(), numbers.end(), numbers[0]);
+        return;
     }
+    if (readNumbers(object, range, numbers)) return;
+    const std::string kind = "one or " + countText(numbers.size()) + " finite numbers";
+    throwBadValue(what, describe(kind + ", each", range), object);
 }
 
 glm::dvec3 vectorFrom(Tcl_Obj* object, std::string_view what, const core::Range& range) {
     std::array<double, 3> v;
     numbersFrom(object, what, range, v);
     return {v[0], v[1], v[2]};
+}
+
+core::Rgbf channelsFrom(Tcl_Obj* object, std::string_view what, const core::Range& range) {
+    std::array<double, 3> v;
+    oneOrMoreFrom(object, what, range, v);
+    return core::Rgbf(glm::dvec3(v[0], v[1], v[2]));
+}
+
+core::Rgbf colourFrom(Tcl_Obj* object, std::string_view what, const core::Range& range) {
+    // The most frequent form first: there may be one for each vertex of a mesh.
+    int length = 0;
+    if (Tcl_ListObjLength(nullptr, object, &length) == TCL_OK && length == 3)
+        return core::Rgbf(vectorFrom(object, what, range));
+    double grey = 0;
+    if (readNumbers(object, range, {&grey, 1})) return core::Rgbf(static_cast<float>(grey));
+    if (const auto colour = cssColour(textOf(object))) return *colour;
+    const std::string numbers = describe("{r g b} or one number, each", range);
+    throwBadValue(what, "a colour (" + numbers + ", #rrggbb or a CSS name)", object,
+                  core::didYouMean(textOf(object), cssColourNames()));
 }
 
 std::string fileNameFrom(Tcl_Obj* object, std::string_view what) {
@@ -131,7 +157,17 @@ glm::dvec3 Words::vector(std::size_t i, std::string_view what, const core::Range
 }
 
 core::Rgbf Words::colour(std::size_t i, std::string_view what, const core::Range& range) const {
-    return core::Rgbf(vector(i, what, range));
+    return colourFrom(words_[i], what, range);
+}
+
+bool Words::isColour(std::size_t i) const {
+    double number = 0;
+    return listLength(i) != 1 || Tcl_GetDoubleFromObj(nullptr, words_[i], &number) == TCL_OK || cssColour(text(i));
+}
+
+std::string Words::textFrom(std::size_t i) const {
+    const auto words = words_.subspan(i);
+    return stringOf(hold(Tcl_NewListObj(static_cast<int>(words.size()), words.data())).get());
 }
 
 std::vector<std::string> Words::strings(std::size_t i, std::string_view what) const {

@@ -31,13 +31,17 @@ constexpr Step steps[] = {
      [](Database& database, int count) {
          for (int i = 0; i < count; ++i) database.translate(nodePath(i), {1, 2, 3});
      }},
+    {"make more without a name",
+     [](Database& database, int count) {
+         for (int i = 0; i < count; ++i) database.create(":", "#auto", SphereNode{}, "s");
+     }},
     {"instance one",
      [](Database& database, int count) {
          for (int i = 0; i < count; ++i) database.createInstance(":", "i" + std::to_string(i), ":s0");
      }},
     {"print", [](Database& database, int) { EXPECT_FALSE(database.print(":").empty()); }},
     {"compile",
-     [](Database& database, int count) { EXPECT_EQ(compile(database, ":", {}).instances.size(), 2u * count); }},
+     [](Database& database, int count) { EXPECT_EQ(compile(database, ":", {}).instances.size(), 3u * count); }},
     {"delete the instances",
      [](Database& database, int count) {
          for (int i = 0; i < count; ++i) database.remove(":i" + std::to_string(i));

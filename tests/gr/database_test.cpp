@@ -232,6 +232,53 @@ TEST_F(TreeTest, MaterialsByName) {
     EXPECT_EQ(database.find(":table").material, gold);
 }
 
+TEST_F(TreeTest, MaterialsMadeAgainByTheSameWordsStay) {
+    EXPECT_EQ(database.addMaterial("gold", materials::Diffuse{{1, 0, 0}}, "diffuse red"), "gold");
+    EXPECT_EQ(database.addMaterial("gold", materials::Diffuse{{1, 0, 0}}, "diffuse red"), "gold");
+    expectError(
+        database,
+        [&] {
+            database.addMaterial("gold", materials::Diffuse{{1, 0, 0}}, "diffuse #ff0000");
+        },
+        "MATERIAL EXISTS [gold] material \"gold\" already exists");
+    database.redefineMaterial("gold", materials::Diffuse{{0, 1, 0}}, "diffuse lime");
+    database.addMaterial("gold", materials::Diffuse{{0, 1, 0}}, "diffuse lime");
+    expectError(
+        database, [&] { database.redefineMaterial("gld", materials::Diffuse{}); },
+        "MATERIAL UNKNOWN [gld] no such material \"gld\" (did you mean \"gold\"?)");
+}
+
+TEST_F(TreeTest, MaterialsAreRemovedWhenNoNodeHasThem) {
+    database.addMaterial("gold", materials::Diffuse{});
+    database.addMaterial("silver", materials::Diffuse{});
+    for (const char* node : {":", ":table", ":robot"}) database.setMaterial(node, "gold");
+    const auto remove = [&] { database.removeMaterial("gold"); };
+    expectError(database, remove, "MATERIAL USED [gold] material \"gold\" is used by \":\"");
+    database.setMaterial(":", "silver");
+    EXPECT_NE(errorOf(remove), "");
+    database.setMaterial(":table", "silver");
+    database.setMaterial(":robot", "gold");
+    expectError(database, remove, "MATERIAL USED [gold] material \"gold\" is used by \":robot\"");
+    database.remove(":robot");
+    remove();
+    expectError(database, remove, "MATERIAL UNKNOWN [gold] no such material \"gold\"");
+}
+
+TEST_F(TreeTest, AutoIsTheNextFreeName) {
+    database.create(":table", "leg2", BoxNode{});
+    EXPECT_EQ(database.create(":table", "#auto", BoxNode{}, "leg").path(), ":table:leg1");
+    EXPECT_EQ(database.create(":table", "#auto", BoxNode{}, "leg").path(), ":table:leg3");
+    EXPECT_EQ(database.create(":table", "#auto", BoxNode{}, "foot").path(), ":table:foot1");
+    EXPECT_EQ(database.create(":robot", "#auto", BoxNode{}, "leg").path(), ":robot:leg1");
+    EXPECT_EQ(database.createInstance(":", "#auto", ":table").path(), ":instance1");
+    expectError(
+        database, [&] { database.createInstance(":table", "#auto", ":table"); },
+        "NODE CYCLE [:table] an instance of \":table\" in \":table\" would hold itself");
+    EXPECT_EQ(database.createInstance(":robot", "#auto", ":table").path(), ":robot:instance1");
+    EXPECT_EQ(database.addMaterial("#auto", materials::Diffuse{}), "material1");
+    EXPECT_EQ(database.addLight("#auto", PointLight{}), "light1");
+}
+
 TEST_F(TreeTest, PointLightsByName) {
     const auto lamp = [&] { return std::get<PointLight>(database.light("lamp")); };
     database.addLight("lamp", PointLight{{1, 2, 3}, {4, 5, 6}, {1, 0, 0}});

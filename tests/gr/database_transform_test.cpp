@@ -2,6 +2,9 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include <cmath>
+#include <random>
+
 namespace gr {
 namespace {
 
@@ -73,6 +76,61 @@ TEST_F(TransformTest, QuarterTurnsAreExact) {
 TEST_F(TransformTest, FourQuarterTurnsAreNone) {
     for (int i = 0; i < 4; ++i) database.rotate(":n", 1, 90);
     EXPECT_EQ(*database.find(":n").matrix, glm::dmat4(1));
+}
+
+// Of each axis and its length; along x, y or z bit for bit the turn about that.
+TEST_F(TransformTest, RotatesAboutAnyAxisOfAnyLength) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec3 axis(normal(random), normal(random), normal(random));
+        const double degrees = 400 * normal(random), length = std::pow(10, 60 * normal(random));
+        database.forgetTransforms(":n");
+        database.rotate(":n", axis * length, degrees);
+        const glm::dmat4 expected = glm::rotate(glm::dmat4(1), glm::radians(degrees), axis);
+        expectMap({1, 2, 3}, glm::dvec3(expected * glm::dvec4(1, 2, 3, 1)));
+        expectMap(axis, axis);
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (const double length : {5.0, -1e-300}) {
+            glm::dvec3 axis(0);
+            axis[i] = length;
+            database.forgetTransforms(":n");
+            database.rotate(":n", axis, 30);
+            const glm::dmat4 turned = *database.find(":n").matrix;
+            database.forgetTransforms(":n");
+            database.rotate(":n", i, length > 0 ? 30 : -30);
+            EXPECT_EQ(turned, *database.find(":n").matrix);
+        }
+    }
+}
+
+TEST_F(TransformTest, TurnsMinusZToTheTarget) {
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> normal;
+    const auto any = [&] { return glm::dvec3(normal(random), normal(random), normal(random)); };
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec3 eye = any(), target = any(), up = any();
+        database.forgetTransforms(":n");
+        database.lookAt(":n", eye, target, up * std::pow(10, 60 * normal(random)));
+        const glm::dmat4 expected = glm::inverse(glm::lookAt(eye, target, up));
+        for (const glm::dvec3& p : {glm::dvec3(0), glm::dvec3(1, 2, 3)})
+            EXPECT_LE(glm::length(map(p) - glm::dvec3(expected * glm::dvec4(p, 1))), 1e-9);
+        EXPECT_LE(glm::length(map({0, 0, -glm::distance(eye, target)}) - target), 1e-13 * (1 + glm::length(target)));
+    }
+}
+
+TEST_F(TransformTest, MultipliesByAMatrixOnTheRight) {
+    database.translate(":n", {1, 0, 0});
+    database.multiply(":n", glm::scale(glm::dmat4(1), {2, 3, 4}));
+    EXPECT_EQ(map({1, 1, 1}), glm::dvec3(3, 3, 4));
+}
+
+TEST_F(TransformTest, ForgetsThemAll) {
+    database.translate(":n", {1, 2, 3});
+    database.forgetTransforms(":n");
+    EXPECT_EQ(database.find(":n").matrix, nullptr);
+    database.forgetTransforms(":n");
 }
 
 TEST_F(TransformTest, Scales) {

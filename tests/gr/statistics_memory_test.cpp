@@ -48,6 +48,14 @@ TEST(StatisticsMemory, OfNodes) {
     });
 }
 
+TEST(StatisticsMemory, OfNamesFound) {
+    expectTrueBytes([](Database& database) {
+        for (int i = 0; i < 5000; ++i)
+            database.create(database.create(":", "#auto", TransformNode{}, "transform").path(), "#auto", SphereNode{},
+                            "sphere");
+    });
+}
+
 TEST(StatisticsMemory, OfInstances) {
     constexpr int count = 20000;
     expectTrueBytes([](Database& database) {
@@ -87,6 +95,9 @@ TEST(StatisticsMemory, OfMeshes) {
 TEST(StatisticsMemory, OfMaterialsAndLights) {
     expectTrueBytes([](Database& database) {
         for (int i = 0; i < 1000; ++i) database.addMaterial(longName(i), {});
+    });
+    expectTrueBytes([](Database& database) {
+        for (int i = 0; i < 1000; ++i) database.addMaterial(longName(i), {}, longName(i) + longName(i));
     });
     expectTrueBytes([](Database& database) {
         for (int i = 0; i < 1000; ++i) database.addLight(longName(i), {});

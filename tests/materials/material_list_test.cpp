@@ -104,8 +104,9 @@ TEST(MaterialOptions, AreThoseOfTheSceneLanguage) {
     const std::string sampling = "sampling {a b c d}, at least 0";
     const std::string perturbation = "perturbation number, greater than 0 and at most 90";
     EXPECT_EQ(described<Diffuse>(), (Texts{"diffuse {r g b}, 0 to 1", sampling, perturbation}));
-    EXPECT_EQ(described<Shirley>(), (Texts{"diffuse {r g b}, 0 to 1", "specular {r g b}, 0 to 1",
-                                           "exp {nu nv}, 0 to 1000000", sampling, perturbation}));
+    EXPECT_EQ(described<Shirley>(),
+              (Texts{"diffuse {r g b}, 0 to 1", "specular {r g b}, 0 to 1", "exp {nu nv}, 0 to 1000000",
+                     "keepdiffuse on/off, ", sampling, perturbation}));
     EXPECT_EQ(described<Dielectric>(),
               (Texts{"specular {r g b}, 0 to 1", "n number, greater than 0 and at most 1000000",
                      "beers {ar ag ab}, 0 to 1e+18", sampling, "perturbation number, 0 to 90"}));

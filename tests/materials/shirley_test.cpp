@@ -146,6 +146,52 @@ TEST(Shirley, IsLitWhateverTheMethod) {
     }
 }
 
+// Tux's beak, a green of the course's, what leaves no room, and what leaves all.
+const Shirley kept[] = {
+    {.diffuse = {0.88f, 0.67f, 0.15f}, .specular = {0.99f, 0.94f, 0.81f}, .exponents = {28, 28}, .keepDiffuse = true},
+    {.diffuse = {0.7f, 1, 0.7f}, .specular = {0.5f, 0.7f, 0.5f}, .exponents = {25, 25}, .keepDiffuse = true},
+    {.diffuse = Rgbf(1), .specular = Rgbf(1), .exponents = {0, 0}, .keepDiffuse = true},
+    {.diffuse = {1, 0, 0}, .specular = {0, 0, 1}, .exponents = {5, 50}, .keepDiffuse = true},
+    {.diffuse = {1, 0.5f, 0}, .specular = Rgbf(0.01f), .exponents = {9, 9}, .keepDiffuse = true},
+    {.diffuse = {0.5f, 0.2f, 0.1f}, .specular = {0.3f, 0.2f, 0.1f}, .exponents = {10, 300}, .keepDiffuse = true},
+    {.diffuse = Rgbf(0), .specular = Rgbf(1), .exponents = {10, 10}, .keepDiffuse = true}};
+
+TEST(Shirley, KeptDiffuseIsSeenAsItIsButForAVarnish) {
+    for (const Shirley& material : kept) {
+        const float brightest = core::largestComponent(material.diffuse);
+        const float room = std::min(0.04f, core::largestComponent(material.specular));
+        const Rgbf seen = material.diffuse * std::min(1.f, brightest > 0 ? (1 - room) / brightest : 1.f);
+        const ShirleyBsdf<float> bsdf = bsdfOf(material);
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(bsdf.diffuse[channel] * (1 - bsdf.specular[channel]), seen[channel], 1e-6f);
+        EXPECT_EQ(material.ambientReflectance(), material.diffuse);
+    }
+}
+
+// The channel in which least is left has all of it, unless R_s asks for less.
+TEST(Shirley, KeptDiffuseLeavesTheHighlightItsHueAndWhatThereIsLeft) {
+    for (const Shirley& material : kept) {
+        const ShirleyBsdf<float> bsdf = bsdfOf(material);
+        const float part = core::largestComponent(bsdf.specular) / core::largestComponent(material.specular);
+        float fullest = 0;
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(bsdf.specular[channel], part * material.specular[channel], 1e-6f);
+            const float both = bsdf.specular[channel] + bsdf.diffuse[channel] * (1 - bsdf.specular[channel]);
+            EXPECT_LE(both, 1 + 1e-6f);
+            EXPECT_NEAR(both, material.albedo()[channel], 1e-6f);
+            if (material.specular[channel] > 0) fullest = std::max(fullest, both);
+        }
+        EXPECT_TRUE(std::abs(part - 1) < 1e-6f || std::abs(fullest - 1) < 1e-6f) << part << " " << fullest;
+    }
+}
+
+TEST(Shirley, KeptDiffuseReflectsNoMoreThanArrives) {
+    for (const Shirley& material : kept)
+        for (const Vec3f& wo : outgoingDirections())
+            for (int channel = 0; channel < 3; ++channel)
+                EXPECT_LE(albedo(material, wo, [&](const Rgbf& c) { return c[channel]; }), 1 + 1e-4);
+}
+
 TEST(Shirley, ReflectsAmbientLightByItsBase) {
     const Shirley material{.diffuse = Rgbf(0.9f, 0.5f, 0.1f)};
     EXPECT_EQ(material.ambientReflectance(), material.diffuse);

@@ -33,18 +33,36 @@ public:
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
-    // Makes a node and returns it. parent: full path.
-    Node& create(std::string_view parent, std::string_view name, NodeContent content);
+    // Makes a node and returns it. parent: full path. The name #auto becomes kind and a number, sphere1 or sphere2,
+    // the next that is free there. kind: text that stays.
+    Node& create(std::string_view parent, std::string_view name, NodeContent content, std::string_view kind = "node");
     Node& createInstance(std::string_view parent, std::string_view name, std::string_view target);
 
     // Each post-multiplies the node's matrix: the last one acts first on the geometry.
     void translate(std::string_view node, const glm::dvec3& by);
+    // About the axis x (0), y (1) or z (2), or any other through the origin, of any length but 0: counter-clockwise
+    // seen from its tip. Quarter turns are exact.
     void rotate(std::string_view node, int axis, double degrees);
+    void rotate(std::string_view node, const glm::dvec3& axis, double degrees);
     void scale(std::string_view node, const glm::dvec3& about, const glm::dvec3& by);
+    // matrix: invertible, its last row 0 0 0 1.
+    void multiply(std::string_view node, const glm::dmat4& matrix);
+    // Moves the node's origin to eye and turns its -z axis to target, its y axis as near to up as that leaves it.
+    // None of the two directions is 0, and they are not parallel.
+    void lookAt(std::string_view node, const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
+    void forgetTransforms(std::string_view node);
 
-    void addMaterial(std::string_view name, const materials::Material& material);
+    // Both return the name: of #auto material1 or light1, the next that is free. words: what the script says of the
+    // material; one that was made by the same words stays.
+    std::string addMaterial(std::string_view name, const materials::Material& material, std::string_view words = {});
+    std::string addLight(std::string_view name, const NamedLight& light);
+    // The nodes that have the material, and the renders that name the light, get this one.
+    void redefineMaterial(std::string_view name, const materials::Material& material, std::string_view words = {});
+    void redefineLight(std::string_view name, const NamedLight& light);
+    // Throws where a node has the material.
+    void removeMaterial(std::string_view name);
+    void removeLight(std::string_view name);
     void setMaterial(std::string_view node, std::string_view material);
-    void addLight(std::string_view name, const NamedLight& light);
 
     void remove(std::string_view node);
     void reset();
@@ -53,6 +71,7 @@ public:
 
     const Node& find(std::string_view path) const;
     const NamedLight& light(std::string_view name) const;
+    std::vector<std::string> lightNames() const;  // in the alphabet's order
     bool hasInteriors() const;  // whether one of its materials has something inside of it
     // Throws unless a node of that name may be made there.
     void checkNew(std::string_view parent, std::string_view name) const;
@@ -86,21 +105,27 @@ private:
         bool operator()(const auto& a, const auto& b) const { return key(a) == key(b); }
     };
 
+    using AutoNumbers = std::unordered_map<std::string_view, std::size_t>;
+
     const Node* child(const Node& parent, std::string_view name) const;
     Node& get(std::string_view path);
     [[noreturn]] void throwUnknownNode(std::string_view path) const;
     void checkNoCycle(const Node& parent, const Node& target) const;
     // Throws when an instance that is not in `except` stands for the node.
     void checkNotInstanced(const Node& node, const std::unordered_set<const Node*>& except) const;
-    void multiply(std::string_view node, const glm::dmat4& matrix);
     void erase(const Node& node);
     std::string namedLightsText() const;
+    NamedMaterial& namedMaterial(std::string_view name);
+    NamedLight& namedLight(std::string_view name);
 
     Node root_;
     std::unordered_set<std::unique_ptr<Node>, Hash, Equal> index_;
     std::unordered_map<const Node*, std::unordered_set<const Node*>> instancesOf_;
     std::unordered_map<std::string, NamedMaterial> materials_;
     std::unordered_map<std::string, NamedLight> lights_;
+    // The last number that #auto gave: to children of a node by what they are, to materials, to lights.
+    std::unordered_map<const Node*, AutoNumbers> autoNumbers_;
+    std::size_t lastMaterial_ = 0, lastLight_ = 0;
     MeshFiles meshFiles_;
 };
 

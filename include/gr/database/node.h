@@ -17,6 +17,8 @@ struct Node;
 struct NamedMaterial {
     std::string name;
     materials::Material material;
+    std::string words;  // what the script says of it
+    mutable std::size_t users = 0;  // nodes that point at it
 };
 
 // Each has its kind, and that in the plural for gr_stats.

@@ -79,7 +79,7 @@ struct MeshRepairs {
     int linesAndPoints = 0;  // left out
     int absentReferences = 0;  // corners that name a normal or u v which is not there
 
-    std::string text() const;  // empty when nothing was mended
+    std::string text() const;  // empty when no fault was mended
 };
 
 class Polyhedron {

@@ -1,21 +1,11 @@
 #include "gr/database/database.h"
-
-#include <glm/ext/matrix_transform.hpp>
+#include "gr/database/auto_name.h"
 
 #include <algorithm>
 #include <cctype>
 
 namespace gr {
 namespace {
-
-template<class Map>
-std::vector<std::string_view> namesOf(const Map& map) {
-    std::vector<std::string_view> names;
-    for (const auto& entry : map) names.push_back(entry.first);
-    // A map of hashes has no order of its own, and a suggestion must not depend on one.
-    std::sort(names.begin(), names.end());
-    return names;
-}
 
 void checkName(std::string_view name) {
     const auto isBad = [](unsigned char c) { return c == ':' || std::isspace(c) || c == '\0'; };
@@ -94,15 +84,22 @@ void Database::checkNew(std::string_view parentPath, std::string_view name) cons
         throw core::Error("NODE", "EXISTS", existing->path(), "node \"" + existing->path() + "\" already exists");
 }
 
-Node& Database::create(std::string_view parentPath, std::string_view name, NodeContent content) {
+Node& Database::create(std::string_view parentPath, std::string_view name, NodeContent content, std::string_view kind) {
     checkNew(parentPath, name);
     Node& parent = get(parentPath);
     auto made = std::make_unique<Node>();
     Node& node = *made;
-    node.name = name;
+    std::size_t* lastNumber = nullptr;
+    AutoName free;
+    if (name == autoName) {
+        lastNumber = &autoNumbers_[&parent][kind];
+        free = nextFree(kind, *lastNumber, [&](const std::string& word) { return child(parent, word) != nullptr; });
+    }
+    node.name = lastNumber != nullptr ? std::string_view(free.name) : name;
     node.content = std::move(content);
     node.parent = &parent;
     index_.insert(std::move(made));
+    if (lastNumber != nullptr) *lastNumber = free.number;
     node.previous = parent.lastChild;
     (parent.lastChild != nullptr ? parent.lastChild->next : parent.firstChild) = &node;
     parent.lastChild = &node;
@@ -113,7 +110,7 @@ Node& Database::createInstance(std::string_view parent, std::string_view name, s
     checkNew(parent, name);
     const Node& target = find(targetPath);
     checkNoCycle(find(parent), target);
-    Node& node = create(parent, name, InstanceNode{&target});
+    Node& node = create(parent, name, InstanceNode{&target}, InstanceNode::kind);
     instancesOf_[&target].insert(&node);
     return node;
 }
@@ -136,79 +133,6 @@ void Database::checkNoCycle(const Node& parent, const Node& target) const {
                 open.insert(open.end(), instances->second.begin(), instances->second.end());
         }
     }
-}
-
-void Database::multiply(std::string_view path, const glm::dmat4& matrix) {
-    Node& node = get(path);
-    const glm::dmat4 product = node.matrix ? *node.matrix * matrix : matrix;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 3; ++row)
-            if (!std::isfinite(static_cast<float>(product[column][row])))
-                throw core::Error("VALUE", "RANGE", node.path(),
-                                  "the matrix of \"" + node.path() + "\" grows beyond numbers");
-    if (!node.matrix) node.matrix = std::make_unique<glm::dmat4>();
-    *node.matrix = product;
-}
-
-void Database::translate(std::string_view node, const glm::dvec3& by) {
-    multiply(node, glm::translate(glm::dmat4(1), by));
-}
-
-void Database::rotate(std::string_view node, int axis, double degrees) {
-    // Quarter turns are exact.
-    const double turns = std::remainder(degrees, 360);
-    const bool quarter = std::remainder(turns, 90) == 0;
-    const double radians = glm::radians(turns);
-    const double sine = quarter ? std::round(std::sin(radians)) : std::sin(radians);
-    const double cosine = quarter ? std::round(std::cos(radians)) : std::cos(radians);
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    glm::dmat4 matrix(1);
-    matrix[u][u] = matrix[v][v] = cosine;
-    matrix[u][v] = sine;
-    matrix[v][u] = -sine;
-    multiply(node, matrix);
-}
-
-void Database::scale(std::string_view node, const glm::dvec3& about, const glm::dvec3& by) {
-    multiply(node, glm::translate(glm::scale(glm::translate(glm::dmat4(1), about), by), -about));
-}
-
-void Database::addMaterial(std::string_view name, const materials::Material& material) {
-    const std::string key(name);
-    if (key.empty()) throw core::Error("MATERIAL", "NAME", "", "a name must not be empty");
-    if (!materials_.try_emplace(key, NamedMaterial{key, material}).second)
-        throw core::Error("MATERIAL", "EXISTS", key, "material \"" + key + "\" already exists");
-}
-
-void Database::setMaterial(std::string_view path, std::string_view name) {
-    Node& node = get(path);
-    const auto found = materials_.find(std::string(name));
-    if (found == materials_.end())
-        throw core::Error(
-            "MATERIAL", "UNKNOWN", std::string(name),
-            "no such material \"" + std::string(name) + "\"" + core::didYouMean(name, namesOf(materials_)));
-    node.material = &found->second;
-}
-
-void Database::addLight(std::string_view name, const NamedLight& light) {
-    const std::string key(name);
-    if (key.empty()) throw core::Error("LIGHT", "NAME", "", "a name must not be empty");
-    if (!lights_.try_emplace(key, light).second)
-        throw core::Error("LIGHT", "EXISTS", key, "light \"" + key + "\" already exists");
-}
-
-bool Database::hasInteriors() const {
-    return std::any_of(materials_.begin(), materials_.end(), [](const auto& entry) {
-        return std::visit([](const auto& material) { return material.interior().has_value(); }, entry.second.material);
-    });
-}
-
-const NamedLight& Database::light(std::string_view name) const {
-    const auto found = lights_.find(std::string(name));
-    if (found == lights_.end())
-        throw core::Error("LIGHT", "UNKNOWN", std::string(name),
-                          "no such light \"" + std::string(name) + "\"" + core::didYouMean(name, namesOf(lights_)));
-    return found->second;
 }
 
 void Database::checkNotInstanced(const Node& node, const std::unordered_set<const Node*>& except) const {
@@ -245,6 +169,8 @@ void Database::erase(const Node& node) {
         if (users != instancesOf_.end() && users->second.erase(&node) == 1 && users->second.empty())
             instancesOf_.erase(users);
     }
+    autoNumbers_.erase(&node);
+    if (node.material != nullptr) --node.material->users;
     index_.erase(index_.find(Key{node.parent, node.name}));
 }
 
@@ -254,6 +180,8 @@ void Database::reset() {
     root_ = Node{};
     materials_.clear();
     lights_.clear();
+    autoNumbers_.clear();
+    lastMaterial_ = lastLight_ = 0;
 }
 
 }  // namespace gr

@@ -34,6 +34,9 @@ DatabaseStatistics Database::statistics() const {
     statistics.nodeBytes += core::allocatedByTable(instancesOf_);
     for (const auto& [target, instances] : instancesOf_) statistics.nodeBytes += core::allocatedByTable(instances);
 
+    statistics.nodeBytes += core::allocatedByTable(autoNumbers_);
+    for (const auto& [parent, numbers] : autoNumbers_) statistics.nodeBytes += core::allocatedByTable(numbers);
+
     statistics.meshes = meshes.size();
     statistics.meshBytes = meshFiles_.bytes();
     for (const Polyhedron* mesh : meshes) {
@@ -45,7 +48,8 @@ DatabaseStatistics Database::statistics() const {
     statistics.lights = lights_.size();
     statistics.materialBytes = core::allocatedByTable(materials_) + core::allocatedByTable(lights_);
     for (const auto& [name, material] : materials_)
-        statistics.materialBytes += core::allocatedBytes(name) + core::allocatedBytes(material.name);
+        statistics.materialBytes +=
+            core::allocatedBytes(name) + core::allocatedBytes(material.name) + core::allocatedBytes(material.words);
     for (const auto& [name, light] : lights_) statistics.materialBytes += core::allocatedBytes(name);
     return statistics;
 }

@@ -13,6 +13,7 @@
 
 namespace gr {
 
+// Vertices at one place are no fault: most programs write one for each side of an edge, or for each triangle.
 std::string MeshRepairs::text() const {
     std::string text;
     const auto add = [&](int count, const char* one, const char* many) {
@@ -20,7 +21,6 @@ std::string MeshRepairs::text() const {
         if (!text.empty()) text += ", ";
         text += std::to_string(count) + " " + (count == 1 ? one : many);
     };
-    add(mergedVertices, "duplicate vertex merged", "duplicate vertices merged");
     add(droppedVertices, "degenerate vertex dropped", "degenerate vertices dropped");
     add(droppedFaces, "face without area dropped", "faces without area dropped");
     add(turnedFaces, "wrong-way face turned", "wrong-way faces turned");
