@@ -64,6 +64,7 @@ Tcl_Obj* remove(Call& call) {
 
 Tcl_Obj* reset(Call& call) {
     call.session.database.reset();
+    call.session.defaults = {};
     return nullptr;
 }
 
@@ -89,7 +90,7 @@ constexpr std::array<Command, 12> rows{{
     {"gr_scale", "", "node ?{ox oy oz}? {sx sy sz}", 2, 3, scale,
      "scales a node about a point, the origin if none is given"},
     {"gr_delete", "", "node", 1, 1, remove, "deletes a node and all below it"},
-    {"gr_reset", "", "", 0, 0, reset, "deletes everything: nodes, materials and lights"},
+    {"gr_reset", "", "", 0, 0, reset, "deletes everything: nodes, materials, lights and what gr_default has set"},
     {"gr_print", "", "?node?", 0, 1, print,
      "returns the tree as text, all of it with the lights behind it, or a node's"},
 }};
