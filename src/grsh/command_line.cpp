@@ -99,7 +99,8 @@ const Row& rowOf(const std::string& option) {
     std::vector<std::string_view> names;
     for (const Row& row : rows) {
         if (row.name == option) return row;
-        names.push_back(row.name);
+        // One letter is as near to any other.
+        if (row.name.size() > 2) names.push_back(row.name);
     }
     fail(option, "unknown option \"" + option + "\"" + core::didYouMean(option, names));
 }

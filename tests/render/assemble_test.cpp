@@ -76,13 +76,13 @@ Strip block(const std::string& path, int first, int last, int left, int right) {
         std::vector<std::uint8_t> numbers;
         for (int y = 0; y < block.image.held.height; ++y)
             for (int x = left; x <= right; ++x)
-                numbers.push_back(c == 1 ? static_cast<std::uint8_t>(x)
-                                         : std::get<0>(lines.image.channels[c].samples)[static_cast<std::size_t>(3 * y)]);
+                numbers.push_back(c == 1
+                                      ? static_cast<std::uint8_t>(x)
+                                      : std::get<0>(lines.image.channels[c].samples)[static_cast<std::size_t>(3 * y)]);
         block.image.channels[c].samples = numbers;
     }
-    block.image.metadata.insert(
-        block.image.metadata.begin() + 5,
-        {{"grsh:startcolumn", std::to_string(left)}, {"grsh:stopcolumn", std::to_string(right)}});
+    block.image.metadata.insert(block.image.metadata.begin() + 5, {{"grsh:startcolumn", std::to_string(left)},
+                                                                   {"grsh:stopcolumn", std::to_string(right)}});
     return block;
 }
 

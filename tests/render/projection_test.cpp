@@ -19,7 +19,7 @@ using std::numbers::pi;
 // Any view that lies askew.
 constexpr int width = 60, height = 40;
 const glm::dvec3 eye(1, -2, 3), forward = glm::normalize(glm::dvec3(0.3, -0.5, 1)), anyUp(0.1, 2, 0.3),
-    right = glm::normalize(glm::cross(forward, anyUp)), upward = glm::cross(right, forward);
+                                right = glm::normalize(glm::cross(forward, anyUp)), upward = glm::cross(right, forward);
 
 Camera cameraWith(Projection projection, double focus = 1, int columns = width, int lines = height) {
     return Camera({eye, 7.0 * forward, anyUp, 40, columns, lines, projection, focus});
@@ -78,7 +78,8 @@ TEST(Panorama, IsLongitudeAndLatitude) {
             const double longitude = 2 * pi * (double(x) / width - 0.5), latitude = pi * (0.5 - double(y) / height);
             const glm::dvec3 level = std::cos(longitude) * forward + std::sin(longitude) * right;
             const core::Rayf ray = camera.ray(Vec2f(x, y));
-            EXPECT_LT(off(ray.direction, std::cos(latitude) * level + std::sin(latitude) * upward), 5e-7) << x << " " << y;
+            EXPECT_LT(off(ray.direction, std::cos(latitude) * level + std::sin(latitude) * upward), 5e-7)
+                << x << " " << y;
             EXPECT_NEAR(glm::length(ray.direction), 1, 2e-7);
             EXPECT_EQ(ray.origin, core::Vec3f(eye));
         }
@@ -139,13 +140,15 @@ TEST_P(ProjectedPicture, OrthographicShowsABallInItsOwnSize) {
         int met = 0;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
-                const double across = std::hypot(pixel * (x + 0.5 - width / 2) - x0, pixel * (height / 2 - y - 0.5) - y0);
+                const double across =
+                    std::hypot(pixel * (x + 0.5 - width / 2) - x0, pixel * (height / 2 - y - 0.5) - y0);
                 if (std::abs(across - radius) < 1e-4) continue;
                 ASSERT_EQ(isMet(film, x, y), across < radius) << x << " " << y;
                 if (across > radius) continue;
                 ++met;
                 const double depth = distance - std::sqrt(radius * radius - across * across);
-                ASSERT_NEAR(numberAt(film, image::Layer::depth, x, y), depth, 4e-5 * distance / std::sqrt(1 - across / radius));
+                ASSERT_NEAR(numberAt(film, image::Layer::depth, x, y), depth,
+                            4e-5 * distance / std::sqrt(1 - across / radius));
             }
         }
         EXPECT_NEAR(met * pixel * pixel, pi * radius * radius, 0.02 * pi * radius * radius);
@@ -164,7 +167,8 @@ TEST_P(ProjectedPicture, OrthographicBeginsAtTheEye) {
 TEST_P(ProjectedPicture, PanoramaShowsBallsAllRound) {
     const int columns = 160, lines = 80;
     const Camera camera = cameraWith(Projection::panorama, 1, columns, lines);
-    for (const glm::dvec3& way : {forward, -forward, right, upward, -upward, glm::normalize(upward - right - forward)}) {
+    for (const glm::dvec3& way :
+         {forward, -forward, right, upward, -upward, glm::normalize(upward - right - forward)}) {
         scene = TestScene();
         scene.add("ball", gr::SphereNode{eye + 4.0 * way, 2}, core::Rgbf(1));
         const image::Film film = picture(camera, columns, lines);
