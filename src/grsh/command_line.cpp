@@ -78,8 +78,8 @@ constexpr std::array<Row, 14> rows{{
          line.limits.samples = static_cast<int>(count("--limit-samples", text, std::numeric_limits<int>::max()));
      }},
     {"--set", "OPTION=VALUE",
-     "give gr_render that option, or that file, width or height, whatever the script says; may be given more\n"
-     "than once",
+     "give gr_render that option, or that file, width or height, whatever the script says; may be given\n"
+     "more than once",
      [](CommandLine& line, const std::string& assignment) { line.sets.push_back(assignment); }},
     {"--resume", "", "go on with renders that were interrupted",
      [](CommandLine& line, const std::string&) { line.resumes = true; }},
@@ -180,11 +180,12 @@ standard input where that is no terminal.
     for (const Row& row : rows)
         add("  " + std::string(row.name) + (row.argument.empty() ? "" : " " + std::string(row.argument)), row.help);
     return text + R"(
-The script finds its further words in argv; one that never looks there gets a warning. An error is shown as "file:line: message" and exits 1, wrong usage
-exits 2, a signal n exits 128 + n, so Ctrl-C 130. What --safe keeps from a script is told in docs/safe-mode.md.
+The script finds its further words in argv; one that never looks there gets a warning. An error is shown as
+"file:line: message" and exits 1, wrong usage exits 2, a signal n exits 128 + n, so Ctrl-C 130. What --safe keeps from
+a script is told in docs/safe-mode.md.
 
   grsh scenes/hello.gr           renders the smallest scene
-  echo 'puts [gr_help]' | grsh -    lists the commands; 'puts [gr_help gr_render]' explains one
+  grsh -e 'puts [gr_help]'       lists the commands; 'puts [gr_help gr_render]' explains one
 )";
 }
 

@@ -6,13 +6,14 @@ rename gr_render render
 proc gr_render {node itsFile width height eye view args} {
     if {$view eq "lookat"} {set args [lassign $args point]}
     set args [lassign $args up fov]
-    set options [dict merge [gr_default] $args]
+    # Another build of grsh may have no gr_default.
+    set options [dict merge [expr {[info commands gr_default] eq "" ? {} : [gr_default]}] $args]
     if {$view eq "lookat"} {dict set options lookat $point}
     set options [dict merge $options $::overrides]
     # Other renderers are told which way to look, and what is in focus.
     if {[dict exists $options lookat]} {
         set view [lmap there [dict get $options lookat] here $eye {expr {$there - $here}}]
-        set distance [expr {sqrt([join [lmap x $view {expr {double($x) * $x}}] +])}]
+        set distance [expr {sqrt([tcl::mathop::+ {*}[lmap x $view {expr {double($x) * $x}}]])}]
         set options [dict merge [dict create focaldistance $distance] [dict remove $options lookat]]
     }
     set words [list $node $::file $width $height $eye $view $up $fov {*}$options]
