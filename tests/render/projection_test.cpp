@@ -115,16 +115,15 @@ TEST(Projections, AreTheSameInLanes) {
 // With one sample through each pixel's centre.
 class ProjectedPicture : public EachIntegrator {
 protected:
-    image::Film picture(const Camera& camera, int columns, int lines) {
-        scene.settings.samplesPerPixel = 1;
-        return layersOf(Radiometer(scene, eye).measuringIntegrator(), camera, scene.settings,
+    static image::Film picture(const TestScene& scene, const Camera& camera, int columns, int lines) {
+        RenderSettings settings = scene.settings;
+        settings.samplesPerPixel = 1;
+        return layersOf(Radiometer(scene, eye).measuringIntegrator(), camera, settings,
                         image::Film(columns, lines, 0, lines, everyLayer));
     }
     static bool isMet(const image::Film& film, int x, int y) {
         return numberAt(film, image::Layer::depth, x, y) < core::infinity;
     }
-
-    TestScene scene;
 };
 INSTANTIATE_TEST_SUITE_P(By, ProjectedPicture, eachIntegrator, integratorName);
 
@@ -133,10 +132,10 @@ TEST_P(ProjectedPicture, OrthographicShowsABallInItsOwnSize) {
     const double focus = 5, pixel = 2 * focus * std::tan(glm::radians(20.0)) / height, radius = 1.3;
     const Camera camera = cameraWith(Projection::orthographic, focus);
     for (const double distance : {3.0, 40.0}) {
-        scene = TestScene();
+        TestScene scene;
         const double x0 = 0.4, y0 = -0.2;  // of its middle, in the picture
         scene.add("ball", gr::SphereNode{eye + distance * forward + x0 * right + y0 * upward, radius}, core::Rgbf(1));
-        const image::Film film = picture(camera, width, height);
+        const image::Film film = picture(scene, camera, width, height);
         int met = 0;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
@@ -157,8 +156,9 @@ TEST_P(ProjectedPicture, OrthographicShowsABallInItsOwnSize) {
 
 // What is behind the plane of the rays is not seen.
 TEST_P(ProjectedPicture, OrthographicBeginsAtTheEye) {
+    TestScene scene;
     scene.add("behind", gr::SphereNode{eye - 2.0 * forward, 1}, core::Rgbf(1));
-    const image::Film film = picture(cameraWith(Projection::orthographic, 5), width, height);
+    const image::Film film = picture(scene, cameraWith(Projection::orthographic, 5), width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) ASSERT_FALSE(isMet(film, x, y));
 }
@@ -169,9 +169,9 @@ TEST_P(ProjectedPicture, PanoramaShowsBallsAllRound) {
     const Camera camera = cameraWith(Projection::panorama, 1, columns, lines);
     for (const glm::dvec3& way :
          {forward, -forward, right, upward, -upward, glm::normalize(upward - right - forward)}) {
-        scene = TestScene();
+        TestScene scene;
         scene.add("ball", gr::SphereNode{eye + 4.0 * way, 2}, core::Rgbf(1));
-        const image::Film film = picture(camera, columns, lines);
+        const image::Film film = picture(scene, camera, columns, lines);
         const double cosine = std::sqrt(1 - 0.25);
         double seen = 0;
         for (int y = 0; y < lines; ++y) {
@@ -193,8 +193,9 @@ TEST_P(ProjectedPicture, PanoramaShowsBallsAllRound) {
 
 // The depth all round is the distance, not that along the view, which is below 0 behind.
 TEST_P(ProjectedPicture, PanoramaHasTheDistanceForItsDepth) {
+    TestScene scene;
     scene.add("room", gr::SphereNode{eye, 3}, core::Rgbf(0.5f));
-    const image::Film film = picture(cameraWith(Projection::panorama), width, height);
+    const image::Film film = picture(scene, cameraWith(Projection::panorama), width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) ASSERT_NEAR(numberAt(film, image::Layer::depth, x, y), 3, 1e-5);
 }
