@@ -1,5 +1,5 @@
 // What is shown of a radiance. The curve of sRGB is in srgb_test.cpp.
-// Seen to fail with a radiance that counts once, a white of 11.2 for 5.6, the toe left out, and the curve of sRGB left
+// Seen to fail with a radiance that counts once, a white half as bright, half of the toe, and the curve of sRGB left
 // out behind it or put behind the linear one.
 #include "image/curve.h"
 

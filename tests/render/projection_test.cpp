@@ -1,6 +1,6 @@
 // Parallel rays, and rays all round.
 // Seen to fail with a picture twice as high, a plane of rays at the wrong side of the eye, a panorama that begins in
-// the view or is mirrored, latitudes from the horizon down, a focus that is a sphere, and the depth all round along the
+// the view or is mirrored, latitudes over half the height, a focus 1 % too far, and the depth all round along the
 // view.
 #include "render/each_integrator.h"
 #include "render/layer_picture.h"
@@ -187,7 +187,8 @@ TEST_P(ProjectedPicture, PanoramaShowsBallsAllRound) {
                 ASSERT_NEAR(numberAt(film, image::Layer::depth, x, y), t, 1e-4);
             }
         }
-        EXPECT_NEAR(seen, 2 * pi * (1 - cosine), 0.03);
+        // Round a pole whole lines are met or not: half of the one at the edge, 30 degrees from the pole, may be wrong.
+        EXPECT_NEAR(seen, 2 * pi * (1 - cosine), 0.5 * 2 * pi * std::sin(pi / 6) * (pi / lines));
     }
 }
 
