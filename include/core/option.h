@@ -47,8 +47,8 @@ using Weights = std::array<float, 4>;
 template<class Owner>
 using OptionMember =
     std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*, Vec2f Owner::*,
-                 std::optional<int> Owner::*, std::optional<double> Owner::*, std::optional<Weights> Owner::*,
-                 Word Owner::*, WordList Owner::*, std::string Owner::*>;
+                 std::optional<int> Owner::*, std::optional<double> Owner::*, std::optional<glm::dvec3> Owner::*,
+                 std::optional<Weights> Owner::*, Word Owner::*, WordList Owner::*, std::string Owner::*>;
 
 template<class Owner>
 struct OptionRow {
@@ -57,7 +57,7 @@ struct OptionRow {
     OptionMember<Owner> member = {};
     Range range = {};
     std::span<const Word> words = {};  // what an option of type Word may be, or what a WordList may hold
-    std::string_view form = {};  // how a list is written, e.g. {nu nv}; empty for a colour
+    std::string_view form = {};  // how a list is written, e.g. {nu nv}; empty for a colour and a place
     std::string_view unit = {};  // empty where there is none
     std::string_view defaultText = {};  // where the default is worked out; empty: as in Owner{}
     std::string_view help = {};
@@ -112,6 +112,9 @@ inline std::string optionText(const std::optional<int>& value) {
 inline std::string optionText(const std::optional<double>& value) {
     return value ? numberText(*value) : "";
 }
+inline std::string optionText(const std::optional<glm::dvec3>& v) {
+    return v ? numberText(v->x) + " " + numberText(v->y) + " " + numberText(v->z) : "";
+}
 
 // The value that an owner has for a row, as the scene language writes it (a colour without its braces).
 template<class Owner>
@@ -141,6 +144,7 @@ std::string typeText(const OptionRow<Owner>& row) {
         std::string operator()(std::uint64_t Owner::*) const { return "integer"; }
         std::string operator()(double Owner::*) const { return "number"; }
         std::string operator()(std::optional<double> Owner::*) const { return "number"; }
+        std::string operator()(std::optional<glm::dvec3> Owner::*) const { return "{x y z}"; }
         std::string operator()(std::string Owner::*) const { return "file"; }
         std::string operator()(Rgbf Owner::*) const { return form.empty() ? "{r g b}" : std::string(form); }
         std::string operator()(Vec2f Owner::*) const { return std::string(form); }

@@ -19,9 +19,11 @@ struct CommandLine {
     bool resumes = false;
     bool traces = false;
     std::string encoding = "utf-8";  // of the script
+    std::vector<std::string> sets;  // option=value each
 
     std::optional<std::string> script;  // none: a prompt, or standard input
     bool isStandardInput = false;  // the script was given as "-"
+    std::optional<std::string> text;  // the script itself; its name is -e then
     std::vector<std::string> words;  // the script's own
 };
 
@@ -31,5 +33,8 @@ CommandLine readCommandLine(const std::vector<std::string>& words);
 std::string usageLine();
 // What --help shows.
 std::string helpText();
+
+// How many words an option takes that may stand before a script, itself included; 0 for what is none.
+std::size_t wordsOfOption(const std::string& word);
 
 }  // namespace grsh

@@ -4,8 +4,10 @@
 #include "gr/database/database.h"
 #include "grsh/file_access.h"
 #include "grsh/limits.h"
+#include "grsh/overrides.h"
 #include "grsh/tcl_value.h"
 #include "grsh/words.h"
+#include "render/settings.h"
 
 #include <tcl.h>
 
@@ -14,6 +16,12 @@
 
 namespace grsh {
 
+// What gr_default has set.
+struct RenderDefaults {
+    render::RenderSettings settings;
+    std::vector<std::pair<std::string_view, Value>> words;  // option and value, in the order of their first setting
+};
+
 // What belongs to one interpreter.
 struct Session {
     gr::Database database;
@@ -21,6 +29,8 @@ struct Session {
     const FileAccess* files = nullptr;  // never null where commands run
     Limits limits;
     bool resumes = false;  // the default of gr_render's option resume
+    RenderDefaults defaults;
+    Overrides* overrides = nullptr;  // never null where commands run
 };
 
 // One call of a command.
@@ -68,8 +78,9 @@ std::vector<OptionHelp> renderOptionsHelp();
 std::vector<OptionHelp> compareOptionsHelp();
 std::vector<OptionHelp> meshOptionsHelp();
 
-// Creates the commands, and a session that lives as long as the interpreter; files lives longer.
-void registerCommands(Tcl_Interp* interp, const FileAccess& files, const Limits& limits, bool resumes);
+// Creates the commands, and a session that lives as long as the interpreter; files and overrides live longer.
+void registerCommands(Tcl_Interp* interp, const FileAccess& files, Overrides& overrides, const Limits& limits,
+                      bool resumes);
 
 inline Tcl_Obj* textObject(std::string_view text) {
     return Tcl_NewStringObj(text.data(), static_cast<int>(text.size()));

@@ -55,6 +55,10 @@ inline void readOption(std::optional<double>& value, Tcl_Obj* word, std::string_
                        std::span<const core::Word>) {
     value = numberFrom(word, what, range);
 }
+inline void readOption(std::optional<glm::dvec3>& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    value = vectorFrom(word, what, range);
+}
 inline void readOption(std::string& value, Tcl_Obj* word, std::string_view what, const core::Range&,
                        std::span<const core::Word>) {
     value = fileNameFrom(word, what);
@@ -118,25 +122,26 @@ void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) 
     std::visit(read, row.member);
 }
 
-// Reads the pairs of option and value from word `first` on into owner. noOption: what a message says before the name of
-// an option that there is not, e.g. "a diffuse material has no option".
+// Throws for an option that there is not. noOption: what the message says before its name, e.g. "a diffuse material has
+// no option". more: names that are allowed there, too, before those of the rows.
+template<class Owner>
+[[noreturn]] void throwNoOption(std::string_view word, std::string_view noOption,
+                                std::vector<std::string_view> more = {}) {
+    for (const auto& row : Owner::options()) more.push_back(row.name);
+    throw core::Error("OPTION", "UNKNOWN", std::string(word),
+                      std::string(noOption) + " " + quoted(word) + core::didYouMean(withoutDash(word), more) +
+                          ": must be " + core::listed(more));
+}
+
+// Reads the pairs of option and value from word `first` on into owner. Of an option that stands there twice the last
+// value counts, as everywhere in Tcl; so words may be put behind others to change what those say.
 template<class Owner>
 void readOptions(const Words& words, std::size_t first, std::string_view noOption, Owner& owner) {
-    const std::span<const core::OptionRow<Owner>> rows = Owner::options();
-    std::vector<std::string_view> names;
-    for (const auto& row : rows) names.push_back(row.name);
-    std::vector<std::string_view> given;
     for (std::size_t i = first; i < words.size(); i += 2) {
         const std::string word(words.text(i));
-        const auto* row = findOption(rows, word);
-        if (row == nullptr)
-            throw core::Error("OPTION", "UNKNOWN", word,
-                              std::string(noOption) + " " + quoted(word) + core::didYouMean(withoutDash(word), names) +
-                                  ": must be " + core::listed(names));
-        if (std::find(given.begin(), given.end(), row->name) != given.end())
-            throw core::Error("OPTION", "TWICE", word, "option \"" + word + "\" is given twice");
+        const auto* row = findOption(Owner::options(), word);
+        if (row == nullptr) throwNoOption<Owner>(word, noOption);
         if (i + 1 == words.size()) throw core::Error("OPTION", "VALUE", word, "option \"" + word + "\" needs a value");
-        given.push_back(row->name);
         readOption(*row, words.object(i + 1), owner);
     }
 }

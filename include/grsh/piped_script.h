@@ -1,6 +1,6 @@
-// A script that can be read only once: standard input, or a pipe with a name. Tcl knows the lines of files only, so
-// each piece that is evaluated is a file for it, in a file system of our own, and what was read is kept to find errors
-// in.
+// A script that can be read only once: standard input, a pipe with a name, or a word of the command line. Tcl knows the
+// lines of files only, so each piece that is evaluated is a file for it, in a file system of our own, and what was read
+// is kept to find errors in.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,8 @@ namespace grsh {
 
 // The whole of standard input has this name; nothing of a machine's own does.
 inline constexpr const char* standardInputPath = "/dev/grsh/input";
+// And the script of -e this one.
+inline constexpr const char* commandLinePath = "/dev/grsh/word";
 
 class PipedScript {
 public:

@@ -15,7 +15,7 @@ struct RenderReport {
 };
 
 // file: the picture's name as the script has it.
-Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file);
+Tcl_Obj* reportDict(const RenderReport& report, const RenderJob& job);
 // A line on standard error.
 void printSummary(const RenderReport& report, const RenderJob& job);
 

@@ -9,6 +9,8 @@
 
 #include "grsh/command_line.h"
 #include "grsh/file_access.h"
+#include "grsh/overrides.h"
+#include "grsh/unread_words.h"
 
 namespace grsh {
 
@@ -34,16 +36,18 @@ public:
 private:
     // Scripts see argv0 as their name and words as their further arguments.
     int runScript(const std::string& script, const std::vector<std::string>& words);
+    int runText(const std::string& text, const std::vector<std::string>& words);
     int runStandardInput(const std::string& argv0, const std::vector<std::string>& words);
     int runPrompt(const std::string& argv0);
     int evaluate(PipedScript& script, const std::string& text);
     // The exit code after an evaluation that ended with a code of Tcl's.
-    int finish(int code);
+    int finish(int code, UnreadWords& unread);
     int fail();
 
     std::string program;
     CommandLine line;
     FileAccess files;
+    Overrides overrides;
     Tcl_Interp* parent;  // what all interpreters belong to
     Tcl_Interp* interp;  // what scripts run in: the parent, or with --safe its child
 };

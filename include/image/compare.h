@@ -22,6 +22,7 @@ struct Colours {
     int width = 0, height = 0;
     std::vector<core::Rgbf> pixels;
     std::vector<float> coverage;  // of each pixel; empty: it is 1 everywhere
+    bool isFilmic = false;  // what a filmic curve shows, not the radiance
 
     float coverageAt(std::size_t pixel) const { return coverage.empty() ? 1 : coverage[pixel]; }
 };

@@ -3,6 +3,7 @@
 
 #include "core/open_below.h"
 #include "core/srgb.h"
+#include "image/curve.h"
 #include "image/film.h"
 #include "image/image.h"
 
@@ -13,8 +14,6 @@ namespace image {
 
 using core::decodeSrgb;
 using core::encodeSrgb;
-// The curve, rounded to 8 bits. radiance: linear; below 0 is 0, above 1 is 255.
-std::uint8_t toSrgb8(float radiance);
 
 // A file as messages call it, and where it is.
 struct FileName {
@@ -39,9 +38,9 @@ public:
     explicit ImageFile(const std::string& path, std::span<const Layer> layers = {})
         : ImageFile(FileName(path), layers) {}
 
-    // exposure: in stops; formats of linear radiance have no use for it. The file is written beside its place and then
+    // Formats of linear radiance have no use for how it is to be viewed. The file is written beside its place and then
     // renamed. Throws core::Error when the disk is full or the like; nothing is left behind then.
-    void write(const Film& film, double exposure, const Metadata& metadata) const;
+    void write(const Film& film, const ViewTransform& view, const Metadata& metadata) const;
     // A picture that was read, from a file with the same ending.
     void write(const Image& image) const;
 

@@ -6,15 +6,19 @@
 namespace render {
 
 struct RenderSettings {
-    core::Word accelerator = "off";
+    core::Word accelerator;  // none: see acceleratorName()
     bool globalIllumination = false;
     bool antialiasing = false;
     int pathLength = 2;
     bool depthOfField = false;
-    double focalDistance = 1;  // along the view
+    std::optional<glm::dvec3> lookAt;  // a point in the middle of the picture, in place of a view
+    std::optional<double> focalDistance;  // along the view; none: that of lookAt, or 1
     double aperture = 0.1;  // the lens' radius
+    core::Word projection = "perspective";
     std::optional<int> startLine;  // 0 is the top; both lines are rendered
     std::optional<int> stopLine;
+    std::optional<int> startColumn;  // 0 is on the left; both columns are rendered
+    std::optional<int> stopColumn;
     std::optional<int> samplesPerPixel;  // see mostSamples()
     double noise = 0;  // the estimated relative error to go on to; 0: not asked for
     double time = 0;  // seconds to go on for; 0: not asked for
@@ -23,6 +27,7 @@ struct RenderSettings {
     std::uint64_t seed = 0;
     core::Rgbf background{0};
     double exposure = 0;
+    core::Word curve = "srgb";
     core::WordList layers;
     core::Word lanes = "auto";
     int threads = 0;  // 0: all cores
@@ -31,6 +36,10 @@ struct RenderSettings {
     double checkpoint = 60;  // seconds
     bool keep = false;
 
+    // The fastest; but of the report's integrator its own way, which is to test every object.
+    core::Word acceleratorName() const {
+        return !accelerator.empty() ? accelerator : integrator == "report" ? core::Word("off") : core::Word("auto");
+    }
     // Whether how many samples a pixel gets is found out while rendering.
     bool isOpenEnded() const { return noise > 0 || time > 0; }
     // How many samples a pixel gets at the most; where it is not open-ended, just so many.

@@ -56,7 +56,7 @@ std::uint64_t bytes(std::string_view option, const std::string& text) {
     return value << (10 * power);
 }
 
-constexpr std::array<Row, 12> rows{{
+constexpr std::array<Row, 14> rows{{
     {"--safe", "",
      "run a script that is not trusted: it reads only below its own folder, writes only pictures below\n"
      "the current one, and starts no program",
@@ -77,12 +77,18 @@ constexpr std::array<Row, 12> rows{{
      [](CommandLine& line, const std::string& text) {
          line.limits.samples = static_cast<int>(count("--limit-samples", text, std::numeric_limits<int>::max()));
      }},
+    {"--set", "OPTION=VALUE",
+     "give gr_render that option, or that file, width or height, whatever the script says; may be given\n"
+     "more than once",
+     [](CommandLine& line, const std::string& assignment) { line.sets.push_back(assignment); }},
     {"--resume", "", "go on with renders that were interrupted",
      [](CommandLine& line, const std::string&) { line.resumes = true; }},
     {"--trace", "", "show with an error which calls led to it",
      [](CommandLine& line, const std::string&) { line.traces = true; }},
     {"-encoding", "NAME", "read the script in that encoding, not in UTF-8",
      [](CommandLine& line, const std::string& name) { line.encoding = name; }},
+    {"-e", "SCRIPT", "run SCRIPT itself, which comes in the place of a file's name",
+     [](CommandLine& line, const std::string& text) { line.text = text; }},
     {"--help", "", "show this text",
      [](CommandLine& line, const std::string&) { line.asks = CommandLine::Asks::help; }},
     {"--version", "", "show the version",
@@ -93,7 +99,8 @@ const Row& rowOf(const std::string& option) {
     std::vector<std::string_view> names;
     for (const Row& row : rows) {
         if (row.name == option) return row;
-        names.push_back(row.name);
+        // One letter is as near to any other.
+        if (row.name.size() > 2) names.push_back(row.name);
     }
     fail(option, "unknown option \"" + option + "\"" + core::didYouMean(option, names));
 }
@@ -126,7 +133,13 @@ void checkTogether(const CommandLine& line) {
 CommandLine readCommandLine(const std::vector<std::string>& words) {
     CommandLine line;
     std::size_t at = 0;
-    while (at < words.size() && isOption(words[at])) at = readOption(line, words, at);
+    while (at < words.size() && isOption(words[at]) && !line.text) at = readOption(line, words, at);
+    if (line.text) {
+        checkTogether(line);
+        line.script = "-e";
+        line.words.assign(words.begin() + static_cast<std::ptrdiff_t>(at), words.end());
+        return line;
+    }
     const bool endsOptions = at < words.size() && words[at] == "--";
     if (endsOptions) ++at;
     checkTogether(line);
@@ -139,6 +152,13 @@ CommandLine readCommandLine(const std::vector<std::string>& words) {
 
 std::string usageLine() {
     return "usage: grsh [options] [script.gr [arg ...]]";
+}
+
+std::size_t wordsOfOption(const std::string& word) {
+    if (word == "-e" || word == "--help" || word == "--version") return 0;
+    for (const Row& row : rows)
+        if (row.name == word) return row.argument.empty() ? 1 : 2;
+    return 0;
 }
 
 std::string helpText() {
@@ -160,11 +180,12 @@ standard input where that is no terminal.
     for (const Row& row : rows)
         add("  " + std::string(row.name) + (row.argument.empty() ? "" : " " + std::string(row.argument)), row.help);
     return text + R"(
-The script finds its further words in argv. An error is shown as "file:line: message" and exits 1, wrong usage
-exits 2, a signal n exits 128 + n, so Ctrl-C 130. What --safe keeps from a script is told in docs/safe-mode.md.
+The script finds its further words in argv; one that never looks there gets a warning. An error is shown as
+"file:line: message" and exits 1, wrong usage exits 2, a signal n exits 128 + n, so Ctrl-C 130. What --safe keeps from
+a script is told in docs/safe-mode.md.
 
   grsh scenes/hello.gr           renders the smallest scene
-  echo 'puts [gr_help]' | grsh -    lists the commands; 'puts [gr_help gr_render]' explains one
+  grsh -e 'puts [gr_help]'       lists the commands; 'puts [gr_help gr_render]' explains one
 )";
 }
 

@@ -143,9 +143,11 @@ std::vector<const Command*> allCommands() {
     return commands;
 }
 
-void registerCommands(Tcl_Interp* interp, const FileAccess& files, const Limits& limits, bool resumes) {
+void registerCommands(Tcl_Interp* interp, const FileAccess& files, Overrides& overrides, const Limits& limits,
+                      bool resumes) {
     State* state = new State;
     state->session.files = &files;
+    state->session.overrides = &overrides;
     state->session.limits = limits;
     state->session.resumes = resumes;
     Tcl_SetAssocData(interp, stateKey, deleteState, state);

@@ -83,6 +83,10 @@ std::pair<Colours, Colours> readBoth(const image::FileName& fileA, const image::
         throw core::Error("COMPARE", "SIZE", a,
                           "cannot compare \"" + a + "\" with \"" + b + "\": they have " + size(both.first) + " and " +
                               size(both.second) + " pixels");
+    if (both.first.isFilmic != both.second.isFilmic)
+        throw core::Error("COMPARE", "CURVE", both.first.isFilmic ? a : b,
+                          "cannot compare \"" + a + "\" with \"" + b + "\": only \"" + (both.first.isFilmic ? a : b) +
+                              "\" has gone through the filmic curve");
     return both;
 }
 
@@ -153,7 +157,7 @@ constexpr std::array<Command, 3> rows{{
     {"gr_compare", "", "a b ?option value ...?", 2, anyNumberOfWords, compareCommand,
      "compares the picture file a with the reference b and returns figures; fails beyond a tolerance"},
     {"gr_assemble", "", "out strip ?strip ...?", 2, anyNumberOfWords, assembleCommand,
-     "puts strips, rendered with startline and stopline, together: the same bytes as the render in one piece",
+     "puts strips, rendered with startline, startcolumn and the like, together: the bytes of the render in one piece",
      "strips are .png or .exr files in any order, and out has the same ending"},
 }};
 

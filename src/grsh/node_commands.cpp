@@ -36,6 +36,7 @@ Tcl_Obj* remove(Call& call) {
 
 Tcl_Obj* reset(Call& call) {
     call.session.database.reset();
+    call.session.defaults = {};
     return nullptr;
 }
 
@@ -55,7 +56,7 @@ constexpr std::array<Command, 9> rows{{
     {"gr_als_planar", "", "pname name {r g b} {x y z} size", 5, 5, makeAreaLight,
      "makes a square area light centred at {x y z} in the x-z plane, with radiance {r g b} from its -y side"},
     {"gr_delete", "", "node", 1, 1, remove, "deletes a node and all below it"},
-    {"gr_reset", "", "", 0, 0, reset, "deletes everything: nodes, materials and lights"},
+    {"gr_reset", "", "", 0, 0, reset, "deletes everything: nodes, materials, lights and what gr_default has set"},
     {"gr_print", "", "?node?", 0, 1, print,
      "returns the tree as text, all of it with the lights behind it, or a node's"},
 }};

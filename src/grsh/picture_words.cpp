@@ -2,6 +2,7 @@
 
 #include "gr/fingerprint.h"
 #include "grsh/render_report.h"
+#include "render/accumulate/tile.h"
 
 namespace grsh {
 namespace {
@@ -28,6 +29,10 @@ image::Metadata optionWords(const RenderJob& job, int samplesPerPixel) {
     render::RenderSettings resolved = job.settings;
     resolved.startLine = job.startLine();
     resolved.stopLine = job.stopLine();
+    resolved.startColumn = job.startColumn();
+    resolved.stopColumn = job.stopColumn();
+    resolved.accelerator = job.settings.acceleratorName();
+    resolved.focalDistance = job.focalDistance();
     resolved.samplesPerPixel = samplesPerPixel;
     image::Metadata words;
     for (const auto& row : render::RenderSettings::options())
@@ -45,7 +50,9 @@ image::Metadata metadataOf(const RenderJob& job, const gr::Scene& scene, const r
     metadata.emplace_back("grsh:stopped", stoppedText(result.stoppedBy));
     if (result.noise) {
         metadata.emplace_back("grsh:noise", render::noiseText(*result.noise));
-        if (job.lines() < job.height) metadata.emplace_back("grsh:noisesums", result.noiseSums->text());
+        const image::Window part = job.window(), whole{0, 0, job.width, job.height};
+        if (part != whole && render::hasWholeTiles(part, job.width))
+            metadata.emplace_back("grsh:noisesums", result.noiseSums->text());
     }
     return metadata;
 }

@@ -92,13 +92,11 @@ std::string place(Tcl_Interp* interp) {
 
 std::string besideScript(Tcl_Interp* interp, std::string_view file) {
     const std::string script = placeOf(interp).path;
-    const MainScript* main = mainScript(interp);
-    const bool isStandardInput =
-        main != nullptr && script == main->path && main->typed == "-" && script != normalized("-");
+    const bool isNoFile = script == standardInputPath || script == commandLinePath;
     const auto asTheSystemHasIt = [](const std::string& path) {
         return fileNameFrom(textValue(normalized(path)).get(), "file");
     };
-    if (script.empty() || isStandardInput) return asTheSystemHasIt(std::string(file));
+    if (script.empty() || isNoFile) return asTheSystemHasIt(std::string(file));
     const Value folder = textValue(script.substr(0, script.rfind('/') + 1)), name = textValue(file);
     Tcl_Obj* const parts[] = {name.get()};
     const Value joined = hold(Tcl_FSJoinToPath(folder.get(), 1, parts));

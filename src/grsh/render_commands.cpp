@@ -26,11 +26,10 @@ std::string scriptName(Tcl_Interp* interp) {
 }
 
 std::unique_ptr<render::Integrator> makeIntegrator(const RenderJob& job, const gr::Scene& scene,
-                                                   const gr::Accelerator& accelerator) {
-    const core::Vec3f eye(job.eye - scene.origin);
+                                                   const gr::Accelerator& accelerator, const render::Camera& camera) {
     if (job.settings.integrator == "report")
-        return render::makeReportIntegrator(scene, accelerator, job.settings, job.ambient, eye);
-    return render::makePathIntegrator(scene, accelerator, job.settings, job.ambient, eye);
+        return render::makeReportIntegrator(scene, accelerator, job.settings, job.ambient, camera.starts());
+    return render::makePathIntegrator(scene, accelerator, job.settings, job.ambient, camera.starts());
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -76,10 +75,16 @@ void warnOfScene(Call& call, const RenderJob& job, const gr::Scene& scene) {
     for (const std::string& text : scene.warnings) warn(call, "gr_render: " + job.file + ": " + text);
 }
 
-render::RenderResult renderOn(render::Accumulation& accumulation, const RenderJob& job, const gr::Scene& scene,
-                              const render::Integrator& integrator, const render::Checkpoints& checkpoints) {
-    render::Camera camera(job.eye - scene.origin, job.view, job.up, job.fieldOfView, job.width, job.height);
-    if (job.settings.depthOfField) camera.setLens(job.settings.aperture, job.settings.focalDistance);
+render::Camera cameraOf(const RenderJob& job, const gr::Scene& scene) {
+    render::Camera camera({job.eye - scene.origin, job.view, job.up, job.fieldOfView, job.width, job.height,
+                           render::projectionNamed(job.settings.projection), job.focalDistance()});
+    if (job.settings.depthOfField) camera.setLens(job.settings.aperture, job.focalDistance());
+    return camera;
+}
+
+render::RenderResult renderOn(render::Accumulation& accumulation, const RenderJob& job,
+                              const render::Integrator& integrator, const render::Camera& camera,
+                              const render::Checkpoints& checkpoints) {
     render::Progress progress;
     std::optional<ProgressLine> line;
     if (job.settings.progress) line.emplace(job.file, progress);
@@ -116,7 +121,7 @@ Tcl_Obj* renderCommand(Call& call) {
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
     const image::ImageFile file(call.session.files->toWrite(job.file), job.layers());
-    image::Film film(job.width, job.height, job.startLine(), job.lines(), job.layers());
+    image::Film film(job.width, job.height, job.window(), job.layers());
     render::Accumulation accumulation(film);
     Resumption resumption(job, *call.session.files, scene);
     resumption.read(accumulation);
@@ -124,21 +129,24 @@ Tcl_Obj* renderCommand(Call& call) {
 
     // Render.
     const auto buildStart = std::chrono::steady_clock::now();
-    const auto accelerator = gr::makeAccelerator(
-        job.settings.accelerator, scene, core::threadCount(job.settings.threads), job.settings.integrator == "path");
+    const auto accelerator =
+        gr::makeAccelerator(job.settings.acceleratorName(), scene, core::threadCount(job.settings.threads),
+                            job.settings.integrator == "path");
     const double buildSeconds = secondsSince(buildStart);
-    const auto integrator = makeIntegrator(job, scene, *accelerator);
+    const render::Camera camera = cameraOf(job, scene);
+    const auto integrator = makeIntegrator(job, scene, *accelerator, camera);
     const auto renderStart = std::chrono::steady_clock::now();
     const render::RenderResult result =
-        renderOn(accumulation, job, scene, *integrator, resumption.checkpoints(call, accumulation));
+        renderOn(accumulation, job, *integrator, camera, resumption.checkpoints(call, accumulation));
     const double renderSeconds = secondsSince(renderStart);
 
     // Write the picture, and say what was done.
     accumulation.store(film);
+    call.session.overrides->takeFile();
     publish(file, *call.session.files, job, result, accumulation, resumption, film,
             metadataOf(job, scene, result, scriptName(call.interp)));
     warnOfNoise(call, job, result);
-    const double sumBytes = render::Accumulation::bytesFor(job.width, job.lines(), film.hasLayers());
+    const double sumBytes = render::Accumulation::bytesFor(job.columns(), job.lines(), film.hasLayers());
     const RenderReport report{result,
                               *accelerator,
                               buildSeconds,
@@ -150,17 +158,49 @@ Tcl_Obj* renderCommand(Call& call) {
     if (job.settings.progress) printSummary(report, job);
     if (result.stoppedBy == render::StoppedBy::interrupt)
         throw core::Error("RENDER", "INTERRUPTED", job.file, "interrupted");
-    call.session.lastRender = hold(reportDict(report, call.words.object(1)));
+    call.session.lastRender = hold(reportDict(report, job));
     return call.session.lastRender.get();
 }
 
-constexpr std::array<Command, 1> rows{{
+// The defaults as a list of option and value.
+Tcl_Obj* defaultsList(const RenderDefaults& defaults) {
+    Tcl_Obj* list = Tcl_NewListObj(0, nullptr);
+    for (const auto& [option, value] : defaults.words) {
+        Tcl_ListObjAppendElement(nullptr, list, textObject(option));
+        Tcl_ListObjAppendElement(nullptr, list, value.get());
+    }
+    return list;
+}
+
+Tcl_Obj* defaultCommand(Call& call) {
+    RenderDefaults& defaults = call.session.defaults;
+    if (call.words.size() == 0) return defaultsList(defaults);
+    render::RenderSettings settings = defaults.settings;
+    readOptions(call.words, 0, "no such option", settings);
+    defaults.settings = settings;
+    for (std::size_t i = 0; i < call.words.size(); i += 2) {
+        const std::string_view option = findOption(render::RenderSettings::options(), call.words.text(i))->name;
+        const auto known = std::ranges::find(defaults.words, option, [](const auto& word) { return word.first; });
+        Value value = hold(call.words.object(i + 1));
+        if (known == defaults.words.end())
+            defaults.words.emplace_back(option, std::move(value));
+        else
+            known->second = std::move(value);
+    }
+    return nullptr;
+}
+
+constexpr std::array<Command, 2> rows{{
     {"gr_render", "", "node file width height {eye} {view} {up} fov ?{ambient} ?{lights}?? ?option value ...?", 8,
      anyNumberOfWords, renderCommand, "renders the subtree at node into a picture file and returns what it did",
-     "eye is a point, view and up are directions\n"
+     "eye is a point, view and up are directions; lookat {x y z} in place of {view} looks at a point\n"
      "fov is the vertical field of view in degrees, between 0 and 180\n"
      "ambient is added where a path ends because it is as long as it may be\n"
-     "lights are the names of the gr_light lights that shine"},
+     "lights are the names of the gr_light lights that shine\n"
+     "of an option that is given twice the last value counts"},
+    {"gr_default", "", "?option value ...?", 0, anyNumberOfWords, defaultCommand,
+     "sets options for every gr_render that follows and does not say otherwise; without words, returns those set",
+     "the options are those of gr_render; gr_reset forgets them"},
 }};
 
 }  // namespace

@@ -10,23 +10,62 @@
 namespace grsh {
 namespace {
 
-void readCamera(Call& call, RenderJob& job) {
-    constexpr core::Range pixels{.least = 1, .most = 1000000};
-    constexpr core::Range coordinate{.least = -1e18, .most = 1e18};
-    job.width = call.words.integer(2, "width", pixels);
-    job.height = call.words.integer(3, "height", pixels);
+// Where some of the words stand; next: those behind fov.
+struct CameraWords {
+    std::size_t view, up, fov, next;
+};
+
+// In place of {view} there may stand lookat {x y z}.
+CameraWords cameraWords(Call& call) {
+    constexpr std::size_t view = 5;
+    const std::size_t more = call.words.text(view) == "lookat" ? 1 : 0;
+    if (call.words.size() < 8 + more) throwWrongWords();
+    return {view, view + 1 + more, view + 2 + more, view + 3 + more};
+}
+
+constexpr core::Range coordinate{.least = -1e18, .most = 1e18};
+
+void readCamera(Call& call, const CameraWords& at, RenderJob& job) {
+    job.width = call.words.integer(2, "width", pixelRange);
+    job.height = call.words.integer(3, "height", pixelRange);
     job.eye = call.words.vector(4, "eye", coordinate);
-    job.view = call.words.vector(5, "view", coordinate);
-    job.up = call.words.vector(6, "up", coordinate);
-    // The square of a length may vanish where the length does not.
-    const auto hasLength = [](const glm::dvec3& v) { return glm::dot(v, v) >= std::numeric_limits<double>::min(); };
-    if (!hasLength(job.view)) throwBadValue("view", "a direction, not of length 0", call.words.object(5));
-    if (!hasLength(job.up)) throwBadValue("up", "a direction, not of length 0", call.words.object(6));
+    if (at.up == at.view + 1)
+        job.view = call.words.vector(at.view, "view", coordinate);
+    else
+        job.settings.lookAt = call.words.vector(at.view + 1, "lookat", coordinate);
+    job.up = call.words.vector(at.up, "up", coordinate);
+    job.fieldOfView =
+        call.words.number(at.fov, "fov", {.least = 0, .most = 180, .leastIncluded = false, .mostIncluded = false});
+}
+
+// The square of a length may vanish where the length does not.
+bool hasLength(const glm::dvec3& v) {
+    return glm::dot(v, v) >= std::numeric_limits<double>::min();
+}
+
+// Once it is known what is looked at.
+void checkView(Call& call, const CameraWords& at, RenderJob& job) {
+    Tcl_Obj* const up = call.words.object(at.up);
+    if (job.settings.lookAt) {
+        job.view = *job.settings.lookAt - job.eye;
+        if (!hasLength(job.view)) {
+            const std::string point = core::optionText(job.settings.lookAt);
+            throw core::Error("VALUE", "RANGE", point, "lookat must be another point than eye, not \"" + point + "\"");
+        }
+    } else if (!hasLength(job.view)) {
+        throwBadValue("view", "a direction, not of length 0", call.words.object(at.view));
+    }
+    if (!hasLength(job.up)) throwBadValue("up", "a direction, not of length 0", up);
     // About the sine of the angle between them; nearer than this, rounding would decide where right is.
     const double across = glm::length(glm::cross(glm::normalize(job.view), glm::normalize(job.up)));
-    if (!(across > 1e-9)) throwBadValue("up", "a direction not parallel to view", call.words.object(6));
-    job.fieldOfView =
-        call.words.number(7, "fov", {.least = 0, .most = 180, .leastIncluded = false, .mostIncluded = false});
+    if (!(across > 1e-9))
+        throwBadValue("up",
+                      job.settings.lookAt ? "a direction not parallel to the way from eye to lookat"
+                                          : "a direction not parallel to view",
+                      up);
+    if (job.settings.depthOfField && job.settings.projection == "panorama")
+        throw core::Error("VALUE", "LENS", "panorama",
+                          "depthoffield must be off with projection panorama, which has no plane in focus");
 }
 
 bool isOption(Call& call, std::size_t i) {
@@ -52,8 +91,7 @@ bool isLights(Call& call, std::size_t i) {
 }
 
 // ?{ambient} ?{lights}?? ?option value ...?
-void readTail(Call& call, RenderJob& job) {
-    std::size_t next = 8;
+void readTail(Call& call, std::size_t next, RenderJob& job) {
     if (isAmbient(call, next)) {
         job.ambient = call.words.colour(next++, "ambient", {.least = 0, .most = 1e18});
         if (isLights(call, next)) job.lights = call.words.strings(next++, "lights");
@@ -61,19 +99,17 @@ void readTail(Call& call, RenderJob& job) {
     readOptions(call.words, next, "no such option", job.settings);
 }
 
-void checkLines(const RenderJob& job) {
-    const auto check = [&](std::string_view option, int line) {
-        if (line < job.height) return;
-        throw core::Error("VALUE", "RANGE", std::to_string(line),
-                          std::string(option) + " must be less than the height " + std::to_string(job.height) +
-                              ", not \"" + std::to_string(line) + "\"");
+// first, last: a pair of options, and what they come to; of how many lines or columns there are.
+void checkStrip(std::string_view first, int start, std::string_view last, int stop, std::string_view what, int count) {
+    const auto refuse = [](std::string_view option, int number, const std::string& allowed) {
+        const std::string given = std::to_string(number);
+        throw core::Error("VALUE", "RANGE", given,
+                          std::string(option) + " must be " + allowed + ", not \"" + given + "\"");
     };
-    check("startline", job.startLine());
-    check("stopline", job.stopLine());
-    if (job.startLine() > job.stopLine())
-        throw core::Error("VALUE", "RANGE", std::to_string(job.startLine()),
-                          "startline must be at most stopline " + std::to_string(job.stopLine()) + ", not \"" +
-                              std::to_string(job.startLine()) + "\"");
+    const std::string least = "less than the " + std::string(what) + " " + std::to_string(count);
+    if (start >= count) refuse(first, start, least);
+    if (stop >= count) refuse(last, stop, least);
+    if (start > stop) refuse(first, start, "at most " + std::string(last) + " " + std::to_string(stop));
 }
 
 void checkLimits(const RenderJob& job, const Limits& limits) {
@@ -96,12 +132,12 @@ void applyLimits(RenderJob& job, const Limits& limits) {
 }
 
 void checkMemory(const RenderJob& job) {
-    const double needed = image::Film::bytesFor(job.width, job.lines(), job.layers()) +
-                          render::Accumulation::bytesFor(job.width, job.lines(), !job.settings.layers.empty());
+    const double needed = image::Film::bytesFor(job.columns(), job.lines(), job.layers()) +
+                          render::Accumulation::bytesFor(job.columns(), job.lines(), !job.settings.layers.empty());
     const double available = static_cast<double>(core::availableMemory());
     if (needed > available)
         throw core::Error("MEMORY", "PICTURE", job.file,
-                          "a picture of " + std::to_string(job.width) + " x " + std::to_string(job.lines()) +
+                          "a picture of " + std::to_string(job.columns()) + " x " + std::to_string(job.lines()) +
                               " pixels takes " + core::memoryText(needed) + " of memory; " +
                               core::memoryText(available) + " are free");
 }
@@ -109,14 +145,19 @@ void checkMemory(const RenderJob& job) {
 }  // namespace
 
 RenderJob readRenderJob(Call& call) {
+    const CameraWords at = cameraWords(call);
     RenderJob job;
-    job.settings.resume = call.session.resumes;
+    job.settings = call.session.defaults.settings;
+    job.settings.resume |= call.session.resumes;
     job.node = call.words.text(0);
     call.session.database.find(job.node);
     job.file = call.words.fileName(1, "file");
-    readCamera(call, job);
-    readTail(call, job);
-    checkLines(job);
+    readCamera(call, at, job);
+    readTail(call, at.next, job);
+    call.session.overrides->apply(job);
+    checkView(call, at, job);
+    checkStrip("startline", job.startLine(), "stopline", job.stopLine(), "height", job.height);
+    checkStrip("startcolumn", job.startColumn(), "stopcolumn", job.stopColumn(), "width", job.width);
     applyLimits(job, call.session.limits);
     render::checkLanes(job.settings.lanes);
     checkMemory(job);

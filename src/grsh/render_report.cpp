@@ -50,9 +50,9 @@ std::string stoppedText(render::StoppedBy stoppedBy) {
     return "samplesperpixel";
 }
 
-Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
+Tcl_Obj* reportDict(const RenderReport& report, const RenderJob& job) {
     const render::RenderResult& result = report.result;
-    return dictOf({{"file", file},
+    return dictOf({{"file", argumentValue(job.file).get()},
                    {"seconds", Tcl_NewDoubleObj(report.seconds)},
                    {"samples", countObject(result.samples)},
                    {"samplesperpixel", Tcl_NewIntObj(result.samplesPerPixel)},
@@ -75,8 +75,8 @@ Tcl_Obj* reportDict(const RenderReport& report, Tcl_Obj* file) {
 
 void printSummary(const RenderReport& report, const RenderJob& job) {
     const render::RenderResult& result = report.result;
-    std::string line = job.file + ": " + std::to_string(job.width) + " x " + std::to_string(job.lines()) + " pixels, " +
-                       std::to_string(result.samplesPerPixel) + " samples each, ";
+    std::string line = job.file + ": " + std::to_string(job.columns()) + " x " + std::to_string(job.lines()) +
+                       " pixels, " + std::to_string(result.samplesPerPixel) + " samples each, ";
     if (result.noise) line += "relative error " + render::noiseText(*result.noise) + ", ";
     if (job.settings.isOpenEnded() || result.stoppedBy == render::StoppedBy::interrupt)
         line += "stopped by " + stoppedText(result.stoppedBy) + ", ";

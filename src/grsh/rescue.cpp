@@ -30,7 +30,7 @@ std::optional<std::string> rescued(const FileAccess& files, const RenderJob& job
     for (const fs::path& folder : folders) {
         try {
             const fs::path place = freeName(folder, fs::path(job.file).filename());
-            image::ImageFile(files.toWrite(place.string()), job.layers()).write(film, job.settings.exposure, metadata);
+            image::ImageFile(files.toWrite(place.string()), job.layers()).write(film, job.viewTransform(), metadata);
             return place.string();
         } catch (const core::Error&) {
         }
@@ -43,7 +43,7 @@ std::optional<std::string> rescued(const FileAccess& files, const RenderJob& job
 void writeOrRescue(const image::ImageFile& file, const FileAccess& files, const RenderJob& job, const image::Film& film,
                    const image::Metadata& metadata) {
     try {
-        file.write(film, job.settings.exposure, metadata);
+        file.write(film, job.viewTransform(), metadata);
     } catch (const core::Error& error) {
         const std::optional<std::string> place = rescued(files, job, film, metadata);
         if (!place) throw;

@@ -28,15 +28,6 @@ namespace {
 
 constexpr int kFailed = 1;
 
-// The command line's bytes as Tcl has them.
-Value argumentValue(const std::string& argument) {
-    Tcl_DString text;
-    Tcl_ExternalToUtfDString(nullptr, argument.data(), static_cast<int>(argument.size()), &text);
-    Value value = textValue({Tcl_DStringValue(&text), static_cast<std::size_t>(Tcl_DStringLength(&text))});
-    Tcl_DStringFree(&text);
-    return value;
-}
-
 void setArguments(Tcl_Interp* interp, const std::string& argv0, const std::vector<std::string>& words,
                   bool isInteractive) {
     const Value argv = hold(Tcl_NewListObj(0, nullptr));
@@ -60,7 +51,7 @@ int cannotRead(const std::string& what, int error) {
 // The script's folder and the current one, and those that the line adds.
 FileAccess filesOf(const CommandLine& line) {
     if (!line.isSafe) return {};
-    const bool isFile = line.script && !line.isStandardInput;
+    const bool isFile = line.script && !line.isStandardInput && !line.text;
     const std::size_t slash = isFile ? line.script->rfind('/') : std::string::npos;
     std::vector<std::string> reads = {slash == std::string::npos ? "." : line.script->substr(0, slash + 1)};
     std::vector<std::string> writes = {"."};
@@ -112,18 +103,21 @@ Shell::Shell(const std::string& program, const CommandLine& line) : program(prog
         Tcl_FreeEncoding(found);
     else
         throw core::Error("USAGE", "ENCODING", line.encoding, "unknown encoding \"" + line.encoding + "\"");
+    overrides = Overrides(line.sets);
     interp = line.isSafe ? makeSafeInterp(parent) : parent;
     if (line.isSafe) confineTcl(files, parent);
-    registerCommands(interp, files, line.limits, line.resumes);
+    registerCommands(interp, files, overrides, line.limits, line.resumes);
 }
 
 Shell::~Shell() {
+    overrides = {};
     Tcl_DeleteInterp(parent);
     // Writes out what scripts have printed.
     Tcl_Finalize();
 }
 
 int Shell::run() {
+    if (line.text) return runText(*line.text, line.words);
     if (line.isStandardInput) return runStandardInput(*line.script, line.words);
     if (line.script) return runScript(*line.script, line.words);
     return isatty(STDIN_FILENO) ? runPrompt(program) : runStandardInput(program, {});
@@ -135,20 +129,32 @@ int Shell::runScript(const std::string& script, const std::vector<std::string>& 
     if (const int error = readError(script)) return cannotRead("\"" + script + "\"", error);
     files.toRead(script);
     setArguments(interp, script, words, false);
+    UnreadWords unread(interp, script, inShell(script), words);
     const std::string path = stringOf(argumentValue(script).get());
     setMainScript(interp, path, path);
     if (isRegularFile(script))
-        return finish(Tcl_FSEvalFileEx(interp, argumentValue(script).get(), line.encoding.c_str()));
+        return finish(Tcl_FSEvalFileEx(interp, argumentValue(script).get(), line.encoding.c_str()), unread);
     std::string text;
     if (!readAll(path, line.encoding, text)) return cannotRead("\"" + script + "\"", errno);
     PipedScript piped(normalized(path), path);
-    return finish(evaluate(piped, text));
+    return finish(evaluate(piped, text), unread);
+}
+
+int Shell::runText(const std::string& text, const std::vector<std::string>& words) {
+    const InterruptHandler handler(interp, InterruptHandler::Runs::script);
+    const TimeLimit limit(line.limits.seconds);
+    setArguments(interp, "-e", words, false);
+    UnreadWords unread(interp, "-e", "-e ...", words);
+    setMainScript(interp, "-e", commandLinePath);
+    PipedScript piped(commandLinePath, "-e");
+    return finish(evaluate(piped, stringOf(argumentValue(text).get())), unread);
 }
 
 int Shell::runStandardInput(const std::string& argv0, const std::vector<std::string>& words) {
     const InterruptHandler handler(interp, InterruptHandler::Runs::script);
     const TimeLimit limit(line.limits.seconds);
     setArguments(interp, argv0, words, false);
+    UnreadWords unread(interp, "-", "-", words);
     setMainScript(interp, "-", standardInputPath);
     if (const Tcl_Channel input = Tcl_GetStdChannel(TCL_STDIN))
         Tcl_SetChannelOption(nullptr, input, "-encoding", line.encoding.c_str());
@@ -163,7 +169,7 @@ int Shell::runStandardInput(const std::string& argv0, const std::vector<std::str
         code = evaluate(piped, command.text());
         command.clear();
     }
-    return finish(code);
+    return finish(code, unread);
 }
 
 int Shell::runPrompt(const std::string& argv0) {
@@ -177,9 +183,12 @@ int Shell::evaluate(PipedScript& script, const std::string& text) {
     return Tcl_FSEvalFileEx(interp, textValue(script.add(text)).get(), "utf-8");
 }
 
-int Shell::finish(int code) {
+int Shell::finish(int code, UnreadWords& unread) {
+    if (interrupted() || code != TCL_OK) unread.drop();
     if (interrupted()) return sayInterrupted();
     if (code != TCL_OK) return fail();
+    unread.tell();
+    if (overrides.areUnused()) print(TCL_STDERR, "grsh: warning: --set has no effect: the script renders nothing\n");
     runMainLoop(interp);
     return 0;
 }

@@ -49,15 +49,16 @@ struct Picture {
 
 Picture pictureOf(const Film& film) {
     std::vector<Channel> channels;
-    const float* radiance = &film.at(0, film.startLine()).x;
+    const Window& held = film.held();
+    const float* radiance = &film.at(held.left, held.top).x;
     for (const char* name : {"R", "G", "B"}) channels.push_back({name, radiance++, 3});
     for (std::size_t i = 0; i < layerCount; ++i) {
         const auto layer = static_cast<Layer>(i);
-        const std::span<const float> numbers = film.at(layer, 0, film.startLine());
+        const std::span<const float> numbers = film.at(layer, held.left, held.top);
         for (std::size_t c = 0; c < numbers.size(); ++c)
             channels.push_back({std::string(channelsOf(layer)[c]), &numbers[c], static_cast<int>(numbers.size())});
     }
-    return {{0, film.startLine(), film.width(), film.lines()}, {0, 0, film.width(), film.height()}, channels};
+    return {held, {0, 0, film.width(), film.height()}, channels};
 }
 
 Picture pictureOf(const Image& image) {
@@ -183,7 +184,7 @@ private:
 
 }  // namespace
 
-void writeExr(std::FILE* file, const Film& film, double, const Metadata& metadata) {
+void writeExr(std::FILE* file, const Film& film, const ViewTransform&, const Metadata& metadata) {
     ExrWriter(file).write(pictureOf(film), metadata);
 }
 

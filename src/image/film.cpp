@@ -2,12 +2,11 @@
 
 namespace image {
 
-Film::Film(int width, int height, int startLine, int lines, std::span<const Layer> layers)
+Film::Film(int width, int height, const Window& held, std::span<const Layer> layers)
     : width_(width),
       height_(height),
-      startLine_(startLine),
-      lines_(lines),
-      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(lines)),
+      held_(held),
+      pixels_(static_cast<std::size_t>(held.width) * static_cast<std::size_t>(held.height)),
       hasLayers_(!layers.empty()) {
     for (const Layer layer : layers)
         layers_[static_cast<std::size_t>(layer)].resize(pixels_.size() * channelsOf(layer).size());

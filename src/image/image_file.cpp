@@ -52,7 +52,7 @@ struct Format {
     bool holdsLayers, holdsFloats;
     Image (*read)(std::FILE*);
     // Null: it is only read.
-    void (*writeFilm)(std::FILE*, const Film&, double exposure, const Metadata&) = nullptr;
+    void (*writeFilm)(std::FILE*, const Film&, const ViewTransform&, const Metadata&) = nullptr;
     void (*writeImage)(std::FILE*, const Image&) = nullptr;
 };
 
@@ -110,8 +110,8 @@ void ImageFile::writeWith(const Write& write) const {
     file.publish();
 }
 
-void ImageFile::write(const Film& film, double exposure, const Metadata& metadata) const {
-    writeWith([&](const Format& format, std::FILE* file) { format.writeFilm(file, film, exposure, metadata); });
+void ImageFile::write(const Film& film, const ViewTransform& view, const Metadata& metadata) const {
+    writeWith([&](const Format& format, std::FILE* file) { format.writeFilm(file, film, view, metadata); });
 }
 
 void ImageFile::write(const Image& image) const {

@@ -23,11 +23,12 @@ void writeHeader(std::FILE* file, std::string_view kind, int width, int lines) {
 
 }  // namespace
 
-void writePfm(std::FILE* file, const Film& film, double, const Metadata&) {
-    writeHeader(file, "PF", film.width(), film.lines());
+void writePfm(std::FILE* file, const Film& film, const ViewTransform&, const Metadata&) {
+    const Window& held = film.held();
+    writeHeader(file, "PF", held.width, held.height);
     // The bottom line comes first.
-    for (int y = film.startLine() + film.lines() - 1; y >= film.startLine(); --y)
-        write(file, &film.at(0, y), static_cast<std::size_t>(film.width()) * sizeof(core::Rgbf));
+    for (int y = held.top + held.height - 1; y >= held.top; --y)
+        write(file, &film.at(held.left, y), static_cast<std::size_t>(held.width) * sizeof(core::Rgbf));
 }
 
 void writePfm(std::FILE* file, const Image& image) {

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "image/curve.h"
 #include "image/image_writers.h"
 #include "image/primaries.h"
 
@@ -10,10 +11,6 @@
 #include <cstring>
 
 namespace image {
-
-std::uint8_t toSrgb8(float radiance) {
-    return static_cast<std::uint8_t>(encodeSrgb(std::clamp(static_cast<double>(radiance), 0.0, 1.0)) * 255 + 0.5);
-}
 
 namespace {
 
@@ -106,18 +103,17 @@ void putLine(const Image& image, int y, std::vector<png_byte>& row) {
 
 }  // namespace
 
-void writePng(std::FILE* file, const Film& film, double exposure, const Metadata& metadata) {
+void writePng(std::FILE* file, const Film& film, const ViewTransform& view, const Metadata& metadata) {
+    const Window& held = film.held();
     PngWriter png(file);
-    png.writeHeader(
-        {{0, film.startLine(), film.width(), film.lines()}, film.lines() != film.height(), 8, PNG_COLOR_TYPE_RGB, 0},
-        metadata);
-    const float scale = static_cast<float>(std::exp2(exposure));
-    std::vector<png_byte> row(3 * static_cast<std::size_t>(film.width()));
-    for (int y = film.startLine(); y < film.startLine() + film.lines(); ++y) {
-        for (int x = 0; x < film.width(); ++x)
+    png.writeHeader({held, film.isPart(), 8, PNG_COLOR_TYPE_RGB, gammaOf(view.curve)}, metadata);
+    const float scale = static_cast<float>(std::exp2(view.exposure));
+    std::vector<png_byte> row;
+    for (int y = held.top; y < held.top + held.height; ++y) {
+        row.clear();
+        for (int x = held.left; x < held.left + held.width; ++x)
             for (int channel = 0; channel < 3; ++channel)
-                row[3 * static_cast<std::size_t>(x) + static_cast<std::size_t>(channel)] =
-                    toSrgb8(film.at(x, y)[channel] * scale);
+                row.push_back(toByte(view.curve, film.at(x, y)[channel] * scale));
         png.writeRow(row);
     }
     png.end();

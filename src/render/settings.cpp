@@ -1,7 +1,9 @@
 #include "render/settings.h"
 
 #include "gr/accelerators/accelerator.h"
+#include "image/curve.h"
 #include "image/layer.h"
+#include "render/transport/camera.h"
 #include "render/transport/lanes_choice.h"
 
 #include <array>
@@ -12,13 +14,15 @@ namespace {
 constexpr std::array<core::Word, 2> integrators{"path", "report"};
 constexpr core::Range atLeastOne{.least = 1, .most = 2147483647};
 constexpr core::Range line{.least = 0, .most = 999999};
+constexpr core::Range coordinate{.least = -1e18, .most = 1e18};
 
 using S = RenderSettings;
 
-const std::array<core::OptionRow<S>, 24> rows{{
+const std::array<core::OptionRow<S>, 29> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
      .words = gr::acceleratorNames(),
+     .defaultText = "auto; off with integrator report",
      .help = "how the object is found that a ray meets; every choice gives the same picture"},
     {.name = "globalillumination",
      .alias = "globalilllumination",
@@ -32,10 +36,23 @@ const std::array<core::OptionRow<S>, 24> rows{{
      .range = atLeastOne,
      .unit = "surface points",
      .help = "the most surface points on a path; 1 is direct light only"},
+    {.name = "lookat",
+     .member = &S::lookAt,
+     .range = coordinate,
+     .defaultText = "none",
+     .help = "a point that the camera looks at, whatever view says; also written lookat {x y z} in place of {view}",
+     // Told by the view and the focal distance that come of it.
+     .inPicture = false},
+    {.name = "projection",
+     .member = &S::projection,
+     .words = projectionNames(),
+     .help = "from a point; by parallel rays, the picture 2 focaldistance tan(fov/2) high; or all round, 360 by 180 "
+             "degrees whatever fov is, the view in the middle"},
     {.name = "depthoffield", .member = &S::depthOfField, .help = "a thin lens, or a pinhole"},
     {.name = "focaldistance",
      .member = &S::focalDistance,
      .range = {.least = 0, .most = 1e18, .leastIncluded = false},
+     .defaultText = "1; with lookat that of its point",
      .help = "distance of the plane in focus, along the view direction"},
     {.name = "aperture",
      .alias = "aperature",
@@ -52,6 +69,16 @@ const std::array<core::OptionRow<S>, 24> rows{{
      .range = line,
      .defaultText = "height-1",
      .help = "last line to render, itself included"},
+    {.name = "startcolumn",
+     .member = &S::startColumn,
+     .range = line,
+     .defaultText = "0",
+     .help = "first column to render, 0 on the left"},
+    {.name = "stopcolumn",
+     .member = &S::stopColumn,
+     .range = line,
+     .defaultText = "width-1",
+     .help = "last column to render, itself included"},
     {.name = "samplesperpixel",
      .member = &S::samplesPerPixel,
      .range = atLeastOne,
@@ -97,6 +124,10 @@ const std::array<core::OptionRow<S>, 24> rows{{
      .range = {.least = -64, .most = 64},
      .unit = "stops",
      .help = "each stop doubles what a .png shows; .exr and .pfm keep the radiance as it is"},
+    {.name = "curve",
+     .member = &S::curve,
+     .words = image::curveNames(),
+     .help = "what a .png's numbers go through: sRGB's curve, none, or Hable's filmic one and then sRGB's"},
     {.name = "layers",
      .member = &S::layers,
      .words = image::layerNames(),

@@ -138,6 +138,19 @@ def lens() -> None:
     eye.dof.aperture_fstop = 0.11
 
 
+def parallel() -> None:
+    """An orthographic camera, shifted, with a lens."""
+    scene = start()
+    red, white = diffuse("red", (0.8, 0.2, 0.1)), diffuse("white", (0.8,) * 3)
+    shape("plane", "floor", white, size=30)
+    shape("cube", "near", red, size=1.2, location=(-1.2, -2, 0.6), rotation=(0, 0, 0.5))
+    shape("cube", "far", red, size=1.2, location=(1.3, 2.5, 0.6), rotation=(0, 0, 0.9))
+    lamp("area", "AREA", 1500, look((7, -5, 6), (0, 0, 0)), shape="SQUARE", size=2)
+    data = camera(scene, look((1, -8, 5), (0, 0, 0.3), roll=0.1), (80, 64)).data
+    data.type, data.ortho_scale, data.shift_x = "ORTHO", 7, 0.06
+    data.dof.use_dof, data.dof.focus_distance, data.dof.aperture_fstop = True, 7, 8
+
+
 def shaders() -> None:
     """A ball of each material."""
     scene = start()
@@ -186,10 +199,10 @@ def no_camera() -> None:
     shape("cube", "cube")
 
 
-def flat_camera() -> None:
+def round_camera() -> None:
     scene = start()
     shape("cube", "cube")
-    camera(scene, look((0, -9, 0), (0, 0, 0)), (64, 64)).data.type = "ORTHO"
+    camera(scene, look((0, -9, 0), (0, 0, 0)), (64, 64)).data.type = "PANO"
 
 
 def no_mesh() -> None:
@@ -223,7 +236,7 @@ def render(path: str) -> None:
 
 def make(name: str) -> None:
     globals()[name]()
-    if name in ("meshes", "lens"):
+    if name in ("meshes", "lens", "parallel"):
         render(os.path.abspath(name))
     bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(f"{name}.blend"))
 

@@ -50,7 +50,8 @@ void evaluate(Parent& parent, const std::string& script) {
     grsh::Limits limits;
     limits.pixels = 64;
     limits.samples = 1;
-    grsh::registerCommands(interp, parent.files, limits, false);
+    grsh::Overrides overrides;
+    grsh::registerCommands(interp, parent.files, overrides, limits, false);
     for (const char* name : hidden) Tcl_DeleteCommand(interp, name);
     Tcl_LimitSetCommands(interp, 300);
     Tcl_LimitTypeSet(interp, TCL_LIMIT_COMMANDS);

@@ -33,7 +33,8 @@ TEST(ImageFile, HoldsEveryPixelInItsPlace) {
         for (int x = 0; x < 5; ++x) {
             const png_byte* pixel = &png.lines[static_cast<std::size_t>(y)][3 * static_cast<std::size_t>(x)];
             for (int channel = 0; channel < 3; ++channel)
-                EXPECT_EQ(pixel[channel], toSrgb8(film.at(x, y)[channel])) << x << " " << y << " " << channel;
+                EXPECT_EQ(pixel[channel], toByte(Curve::srgb, film.at(x, y)[channel]))
+                    << x << " " << y << " " << channel;
         }
     }
 }
@@ -43,8 +44,8 @@ TEST(ImageFile, ShowsRadianceTimesTwoToTheExposure) {
     film.at(0, 0) = core::Rgbf(0.4f, 0.02f, -3);
     for (const double exposure : {-64.0, -1.5, 0.0, 1.0, 2.25, 64.0}) {
         const double factor = std::exp2(exposure);
-        EXPECT_THAT(written(film, exposure).lines[0],
-                    ElementsAre(toSrgb8(float(0.4f * factor)), toSrgb8(float(0.02f * factor)), 0))
+        EXPECT_THAT(written(film, exposure).lines[0], ElementsAre(toByte(Curve::srgb, float(0.4f * factor)),
+                                                                  toByte(Curve::srgb, float(0.02f * factor)), 0))
             << exposure;
     }
     EXPECT_THAT(written(film, 1).lines[0], ElementsAre(231, 56, 0));

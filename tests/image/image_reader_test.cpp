@@ -84,7 +84,7 @@ TEST(ImageReader, ReadsWhatARenderWrites) {
     EXPECT_EQ(exr.channels.size(), 14u);
     for (std::size_t i = 0; i < 20; ++i) {
         const int x = int(i % 5), y = 10 + int(i / 5);
-        EXPECT_EQ(std::get<0>(png.find("G")->samples)[i], toSrgb8(float(y) / 16));
+        EXPECT_EQ(std::get<0>(png.find("G")->samples)[i], toByte(Curve::srgb, float(y) / 16));
         EXPECT_EQ(std::get<2>(exr.find("R")->samples)[i], float(x));
         EXPECT_EQ(std::get<2>(exr.find("Z")->samples)[i], i == 13 ? 8.5f : 0);
         EXPECT_EQ(std::get<2>(pfm.find("G")->samples)[i], float(y));
@@ -98,7 +98,7 @@ TEST(ImageReader, ReadsWhatARenderWrites) {
 }
 
 TEST(ImageReader, DecodesWhatItEncodes) {
-    for (int i = 0; i < 256; ++i) EXPECT_EQ(toSrgb8(static_cast<float>(decodeSrgb(i / 255.))), i);
+    for (int i = 0; i < 256; ++i) EXPECT_EQ(toByte(Curve::srgb, static_cast<float>(decodeSrgb(i / 255.))), i);
     for (double x = 0; x <= 1; x += 1. / 512) EXPECT_NEAR(encodeSrgb(decodeSrgb(x)), x, 1e-7);
     EXPECT_NEAR(decodeSrgb(0.5), 0.21404114, 1e-8);
 }

@@ -18,38 +18,39 @@ double shown(double code) {
 TEST(Srgb, ChangesItsCodeAtEachOf255Thresholds) {
     for (int code = 0; code < 255; ++code) {
         const double threshold = shown(code + 0.5);
-        EXPECT_EQ(toSrgb8(static_cast<float>(threshold * (1 - 1e-6))), code);
-        EXPECT_EQ(toSrgb8(static_cast<float>(threshold * (1 + 1e-6))), code + 1);
+        EXPECT_EQ(toByte(Curve::srgb, static_cast<float>(threshold * (1 - 1e-6))), code);
+        EXPECT_EQ(toByte(Curve::srgb, static_cast<float>(threshold * (1 + 1e-6))), code + 1);
     }
 }
 
 TEST(Srgb, ComesBackToEveryCode) {
-    for (int code = 0; code < 256; ++code) EXPECT_EQ(toSrgb8(static_cast<float>(shown(code))), code);
+    for (int code = 0; code < 256; ++code) EXPECT_EQ(toByte(Curve::srgb, static_cast<float>(shown(code))), code);
 }
 
 // Numbers that others publish.
 TEST(Srgb, KnowsTheUsualGreys) {
-    EXPECT_EQ(toSrgb8(0.18f), 118);  // a grey card
-    EXPECT_EQ(toSrgb8(0.5f), 188);
-    EXPECT_EQ(toSrgb8(0.2140f), 127);  // half the code is 0.21404
-    EXPECT_EQ(toSrgb8(0.2141f), 128);
-    EXPECT_EQ(toSrgb8(0.0031308f), 10);  // where the line ends and the power begins
-    EXPECT_EQ(toSrgb8(0.001f), 3);
+    EXPECT_EQ(toByte(Curve::srgb, 0.18f), 118);  // a grey card
+    EXPECT_EQ(toByte(Curve::srgb, 0.5f), 188);
+    EXPECT_EQ(toByte(Curve::srgb, 0.2140f), 127);  // half the code is 0.21404
+    EXPECT_EQ(toByte(Curve::srgb, 0.2141f), 128);
+    EXPECT_EQ(toByte(Curve::srgb, 0.0031308f), 10);  // where the line ends and the power begins
+    EXPECT_EQ(toByte(Curve::srgb, 0.001f), 3);
 }
 
 TEST(Srgb, NeverFalls) {
     int before = 0;
     for (int i = 0; i <= 1'000'000; ++i) {
-        const int code = toSrgb8(static_cast<float>(i) * 1e-6f);
+        const int code = toByte(Curve::srgb, static_cast<float>(i) * 1e-6f);
         ASSERT_GE(code, before) << i;
         before = code;
     }
 }
 
 TEST(Srgb, EndsAtBlackAndWhite) {
-    for (const float dark : {0.f, -0.f, -1e-30f, -1.f, -INFINITY}) EXPECT_EQ(toSrgb8(dark), 0) << dark;
-    for (const float bright : {1.f, 1.0001f, 7.f, 3e38f, INFINITY}) EXPECT_EQ(toSrgb8(bright), 255) << bright;
-    EXPECT_EQ(toSrgb8(1e-40f), 0);
+    for (const float dark : {0.f, -0.f, -1e-30f, -1.f, -INFINITY}) EXPECT_EQ(toByte(Curve::srgb, dark), 0) << dark;
+    for (const float bright : {1.f, 1.0001f, 7.f, 3e38f, INFINITY})
+        EXPECT_EQ(toByte(Curve::srgb, bright), 255) << bright;
+    EXPECT_EQ(toByte(Curve::srgb, 1e-40f), 0);
 }
 
 }  // namespace

@@ -66,6 +66,57 @@ TEST(Assemble, RefusesLinesThatNoneHasOrTwoHave) {
               "STRIP OVERLAP [c] \"b\" and \"c\" both have lines 5 to 9");
 }
 
+// Columns left to right of the lines of a strip, and their numbers in its samples' second channel.
+Strip block(const std::string& path, int first, int last, int left, int right) {
+    const Strip lines = strip(path, first, last);
+    Strip block = lines;
+    const int width = right - left + 1;
+    block.image.held = {left, first, width, last - first + 1};
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<std::uint8_t> numbers;
+        for (int y = 0; y < block.image.held.height; ++y)
+            for (int x = left; x <= right; ++x)
+                numbers.push_back(c == 1
+                                      ? static_cast<std::uint8_t>(x)
+                                      : std::get<0>(lines.image.channels[c].samples)[static_cast<std::size_t>(3 * y)]);
+        block.image.channels[c].samples = numbers;
+    }
+    block.image.metadata.insert(block.image.metadata.begin() + 5, {{"grsh:startcolumn", std::to_string(left)},
+                                                                   {"grsh:stopcolumn", std::to_string(right)}});
+    return block;
+}
+
+TEST(Assemble, PutsBlocksInTheirPlaces) {
+    const image::Image whole = assemble({block("d", 4, 9, 0, 0), block("a", 0, 3, 0, 1), block("c", 4, 9, 1, 2),
+                                         block("b", 0, 1, 2, 2), block("e", 2, 3, 2, 2)});
+    EXPECT_EQ(whole.held, (image::Window{0, 0, 3, 10}));
+    for (std::size_t i = 0; i < 30; ++i) {
+        EXPECT_EQ(std::get<0>(whole.channels[0].samples)[i], i / 3);
+        EXPECT_EQ(std::get<0>(whole.channels[1].samples)[i], i % 3);
+        EXPECT_EQ(std::get<0>(whole.channels[2].samples)[i], 100 + i / 3);
+    }
+    EXPECT_EQ(whole.metadata, block("", 0, 9, 0, 2).image.metadata);
+}
+
+TEST(Assemble, RefusesPixelsThatNoneHasOrTwoHave) {
+    EXPECT_EQ(errorOfStrips({block("a", 0, 9, 0, 0), block("b", 0, 9, 2, 2)}),
+              "STRIP GAP [a] no strip has column 1 of lines 0 to 9");
+    EXPECT_EQ(errorOfStrips({block("a", 0, 9, 0, 0), block("b", 0, 4, 1, 2), block("c", 6, 9, 1, 2)}),
+              "STRIP GAP [a] no strip has columns 1 to 2 of line 5");
+    EXPECT_EQ(errorOfStrips({block("a", 0, 4, 0, 0), block("b", 0, 4, 1, 2), block("c", 6, 9, 0, 2)}),
+              "STRIP GAP [a] no strip has line 5, between \"b\" and \"c\"");
+    EXPECT_EQ(errorOfStrips({block("a", 0, 9, 0, 1), block("b", 2, 5, 1, 2)}),
+              "STRIP OVERLAP [b] \"a\" and \"b\" both have lines 2 to 5, column 1");
+    // As many pixels as the whole has, but not those.
+    EXPECT_EQ(errorOfStrips({block("a", 0, 9, 0, 1), block("b", 0, 9, 0, 0)}),
+              "STRIP OVERLAP [b] \"a\" and \"b\" both have lines 0 to 9, column 0");
+    Strip outside = block("a", 0, 9, 0, 2);
+    outside.image.metadata[6].second = "3";
+    EXPECT_EQ(errorOfStrips({outside}),
+              "STRIP NONE [a] \"a\" is no strip as it was written: it says that it is lines 0 to 9, columns 0 to 3 of "
+              "3 x 10 pixels, and has lines 0 to 9 of width 3");
+}
+
 TEST(Assemble, RefusesStripsOfDifferentRenders) {
     const auto error = [](const auto& change) {
         Strip other = strip("b", 4, 9);

@@ -34,10 +34,9 @@ struct Things {
     }
     // With a lens round it.
     EyeMedia lens(const Vec3f& eye, double radius) const {
-        RenderSettings settings;
-        settings.depthOfField = true;
-        settings.aperture = radius;
-        return EyeMedia(scene, eye, settings);
+        Camera camera(eye, {0, 0, -1}, {0, 1, 0}, 90, 2, 2);
+        camera.setLens(radius, 1);
+        return EyeMedia(scene, camera.starts());
     }
 
     gr::Database database;

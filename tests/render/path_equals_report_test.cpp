@@ -269,6 +269,25 @@ constexpr Change changes[] = {
          r.scene.add("pebble", gr::SphereNode{{0.3, 0, 1.4}, 0.15}, core::Rgbf(0.9f));
          r.scene.addPointLight("spark", {{0.6f, 0.4f, 1.7f}, core::Rgbf(1), {0, 0, 1}});
      }},
+    {"Orthographic", [](Room& r) { r.projection = Projection::orthographic; }},
+    {"OrthographicLens",
+     [](Room& r) {
+         r.projection = Projection::orthographic;
+         r.scene.settings.depthOfField = true;
+         r.scene.settings.aperture = 0.15;
+         r.scene.settings.focalDistance = 1.3;
+     }},
+    {"OrthographicHalfInGlass",
+     [](Room& r) {
+         r.projection = Projection::orthographic;
+         r.scene.add("visor", gr::BoxNode{{0.02, -1, 1.2}, {1, 2, 0.75}}, Dielectric{.absorption = {0.9f, 0.1f, 0}});
+     }},
+    {"Panorama", [](Room& r) { r.projection = Projection::panorama; }},
+    {"PanoramaInGlass",
+     [](Room& r) {
+         r.projection = Projection::panorama;
+         r.scene.add("visor", gr::BoxNode{{-1, -1, 0.9}, {2, 2, 1.05}}, Dielectric{.absorption = {0.3f, 0.1f, 0}});
+     }},
     {"AllInFog",
      [](Room& r) {
          r.scene.add("fog", gr::BoxNode{glm::dvec3(-1.99), glm::dvec3(3.98)},

@@ -137,7 +137,7 @@ TEST_F(Program, HasTheSamePictureInEveryFormat) {
             for (int c = 0; c < 3; ++c) {
                 const float radiance = exr.at(channels[c], x, y + 2);
                 ASSERT_EQ(png.lines[static_cast<std::size_t>(y)][static_cast<std::size_t>(3 * x + c)],
-                          image::toSrgb8(radiance));
+                          image::toByte(image::Curve::srgb, radiance));
                 ASSERT_EQ(pfm.at(x, y)[c], radiance);
                 ASSERT_EQ(layers.at(channels[c], x, y + 2), radiance);
             }

@@ -70,17 +70,19 @@ inline support::ImageComparison compare(const PictureMean& a, const PictureMean&
 struct SameLight {
     TestScene scene;
     glm::dvec3 eye{0, 0, 1.9}, view{0, -0.1, -1};
+    Projection projection = Projection::perspective;
 
     // The means of a hundred pictures are normal but far out in their tails, where a level for many tests lies. So what
     // differs is looked at again, with four times as many pictures of other seeds, and must differ once more.
     testing::AssertionResult holds(int pictures = gr::rayCount(150)) const {
         const gr::Scene compiled = gr::compile(scene.database, ":", scene.pointLights);
-        const auto accelerator = gr::makeAccelerator(scene.settings.accelerator, compiled, 1);
-        const core::Vec3f from(eye);
-        const auto report = makeReportIntegrator(compiled, *accelerator, scene.settings, scene.ambient, from);
-        const auto path = makePathIntegrator(compiled, *accelerator, scene.settings, scene.ambient, from);
-        Camera camera(eye, view, {0, 1, 0}, 70, sameLightWidth, sameLightHeight);
-        if (scene.settings.depthOfField) camera.setLens(scene.settings.aperture, scene.settings.focalDistance);
+        const auto accelerator = gr::makeAccelerator(scene.settings.acceleratorName(), compiled, 1);
+        const double focus = scene.settings.focalDistance.value_or(1);
+        Camera camera({eye, view, {0, 1, 0}, 70, sameLightWidth, sameLightHeight, projection, focus});
+        if (scene.settings.depthOfField) camera.setLens(scene.settings.aperture, focus);
+        const RayStarts starts = camera.starts();
+        const auto report = makeReportIntegrator(compiled, *accelerator, scene.settings, scene.ambient, starts);
+        const auto path = makePathIntegrator(compiled, *accelerator, scene.settings, scene.ambient, starts);
 
         std::string text;
         for (const int factor : {1, 4}) {

@@ -19,7 +19,9 @@ def is_wide(camera, width: int, height: int) -> bool:
 
 
 def half_height(camera, width: int, height: int) -> float:
-    """Of the picture at distance 1."""
+    """Of the picture at distance 1; of an orthographic one anywhere."""
+    if camera.type == "ORTHO":
+        return camera.ortho_scale / 2 * (height / width if is_wide(camera, width, height) else 1)
     sensor = camera.sensor_height if camera.sensor_fit == "VERTICAL" else camera.sensor_width
     return sensor / (2 * camera.lens) * (height / width if is_wide(camera, width, height) else 1)
 
@@ -35,25 +37,35 @@ class Camera:
 
     def __init__(self, item, render, warnings: Warnings) -> None:
         camera, self.thing = item.data, f'camera "{item.name}"'
-        if camera.type != "PERSP":
-            raise ExportError(f"{self.thing} is {camera.type.lower()}: gr_render has perspective cameras only")
+        if camera.type not in ("PERSP", "ORTHO"):
+            raise ExportError(f"{self.thing} is {camera.type.lower()}: it must have perspective or be orthographic")
+        self.is_parallel = camera.type == "ORTHO"
         self.width, self.height = picture_size(render)
         half = half_height(camera, self.width, self.height)
         axes = item.matrix_world.to_3x3().normalized()
         right, up, view = axes.col[0], axes.col[1], -axes.col[2]
         eye = item.matrix_world.translation
         self.options = self.lens_options(camera, eye, view, warnings)
+        # gr_render is told how high an orthographic picture is by the focal distance and the angle.
+        distance = 1.0
+        if self.is_parallel:
+            distance = focal_distance(camera, eye, view) if camera.dof.use_dof else half
+            self.options = ["projection orthographic", *(self.options or [f"focaldistance {number(half)}"])]
         if render.pixel_aspect_x != render.pixel_aspect_y:
             warnings.warn(self.thing, "pixels are square here")
         if camera.shift_x or camera.shift_y:
-            warnings.warn(self.thing, "gr_render has no lens shift: it is turned to the picture's middle instead")
             # Shifts are parts of the side that the sensor covers.
             side = 2 * half * (self.width / self.height if is_wide(camera, self.width, self.height) else 1)
-            view = view + side * (camera.shift_x * right + camera.shift_y * up)
+            shift = side * (camera.shift_x * right + camera.shift_y * up)
+            if self.is_parallel:
+                eye = eye + shift
+            else:
+                warnings.warn(self.thing, "gr_render has no lens shift: it is turned to the picture's middle instead")
+                view = view + shift
         self.inverse, self.half = item.matrix_world.inverted(), half
         turned = [numbers(Y_UP.to_3x3() @ vector) for vector in (eye, view, up)]
         self.size = f"{self.width} {self.height}"
-        self.sight = f"{' '.join(turned)} {number(math.degrees(2 * math.atan(half)))}"
+        self.sight = f"{' '.join(turned)} {number(math.degrees(2 * math.atan(half / distance)))}"
 
     def lens_options(self, camera, eye: Vector, view: Vector, warnings: Warnings) -> list[str]:
         dof = camera.dof
@@ -61,11 +73,12 @@ class Camera:
             return []
         if dof.aperture_blades > 2 or dof.aperture_ratio != 1:
             warnings.warn(self.thing, "the lens is round here")
-        # The focal length is in millimetres, whatever the scene's unit.
-        radius = camera.lens / 1000 / (2 * dof.aperture_fstop)
+        # The focal length is in millimetres, whatever the scene's unit; without perspective Cycles takes it for 1.
+        radius = (1 if self.is_parallel else camera.lens / 1000) / (2 * dof.aperture_fstop)
         return [f"depthoffield on focaldistance {number(focal_distance(camera, eye, view))} aperture {number(radius)}"]
 
     def sees(self, place: Vector) -> bool:
         """Whether the place is in the picture, or just outside."""
         x, y, z = self.inverse @ place
-        return z < 0 and abs(y) < -1.2 * self.half * z and abs(x) < -1.2 * self.half * z * self.width / self.height
+        reach = 1.2 * self.half * (1 if self.is_parallel else -z)
+        return z < 0 and abs(y) < reach and abs(x) < reach * self.width / self.height

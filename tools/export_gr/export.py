@@ -55,7 +55,7 @@ def options(scene, has_glass: bool, warnings: Warnings) -> list[str]:
     exposure = f" exposure {number(view.exposure)}" if view.exposure else ""
     length = path_length(scene, has_glass)
     return [f"globalillumination on antialiasing on pathlength {length} samplesperpixel 64{exposure}",
-            " ".join(["accelerator auto", *background(scene.world, warnings)])]
+            *background(scene.world, warnings)]
 
 
 def title() -> str:

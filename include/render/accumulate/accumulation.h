@@ -18,7 +18,7 @@ struct Accumulation {
     std::uint64_t samples = 0;
     std::uint64_t dropped = 0;  // samples that were not finite: left out of their pixel's mean
 
-    // Of nothing yet, for the film's lines and layers.
+    // Of nothing yet, for what the film holds of the picture, and its layers.
     explicit Accumulation(const image::Film& film);
 
     // That of the pixels that have the fewest. Where a pass was broken off, others have more.
@@ -27,6 +27,7 @@ struct Accumulation {
     std::optional<NoiseSums> noiseSums() const;
     void store(image::Film& film) const;
 
+    // width, lines: of what is held.
     static double bytesFor(int width, int lines, bool hasLayers);
 };
 

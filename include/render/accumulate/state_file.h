@@ -18,9 +18,9 @@ using StateWords = std::vector<std::pair<std::string, std::string>>;
 // whole. threads: to pack it with. Throws core::Error where that cannot be done.
 void writeState(const image::FileName& file, const StateWords& words, const Accumulation& accumulation, int threads);
 
-// Reads it into an accumulation for the same lines and layers. Returns whether the file is there. Throws core::Error,
-// and leaves the file as it is, where it is damaged, where it is of other words, naming the first that differs, or
-// where a pixel has more than `most` samples.
+// Reads it into an accumulation for the same part of the picture and the same layers. Returns whether the file is
+// there. Throws core::Error, and leaves the file as it is, where it is damaged, where it is of other words, naming the
+// first that differs, or where a pixel has more than `most` samples.
 bool readState(const image::FileName& file, const StateWords& words, int most, Accumulation& accumulation);
 
 }  // namespace render

@@ -14,6 +14,12 @@ namespace render {
 
 inline constexpr int tileSize = 16;  // pixels: small enough that the last tiles keep every thread busy
 
+// Whether a part of a picture of that width has no tile of which another part has the rest of a line.
+inline bool hasWholeTiles(const image::Window& part, int width) {
+    const int right = part.left + part.width;
+    return part.left % tileSize == 0 && (right % tileSize == 0 || right == width);
+}
+
 // The mean of a pixel's finite samples; in double, or a million of them would drown the last.
 struct PixelSum {
     glm::dvec3 sum{0};

@@ -1,8 +1,8 @@
-// What the eye is inside of, and each place on its lens.
+// What the eye is inside of, and each place round it where the camera's rays start.
 #pragma once
 
 #include "gr/near_solid.h"
-#include "render/settings.h"
+#include "render/transport/camera.h"
 #include "render/transport/media.h"
 
 namespace render {
@@ -10,10 +10,10 @@ namespace render {
 class EyeMedia {
 public:
     EyeMedia() = default;  // air all over
-    // The lens: as the settings have it, round the eye. The scene must outlive this.
-    EyeMedia(const gr::Scene& scene, const core::Vec3f& eye, const RenderSettings& settings);
+    // The scene must outlive this.
+    EyeMedia(const gr::Scene& scene, const RayStarts& starts);
 
-    // What a place on the lens is inside of; one elsewhere is looked at anew.
+    // What a place is inside of where rays start; one elsewhere is looked at anew.
     Media at(const core::Vec3f& place) const;
 
 private:
@@ -23,10 +23,9 @@ private:
     };
 
     const gr::Scene* scene_ = nullptr;
-    core::Vec3f eye_{0};
-    core::Bounds lens_;
+    RayStarts starts_{core::Vec3f(0)};
     Media media_;  // at the eye
-    std::vector<Near> near_;  // what the lens may cross
+    std::vector<Near> near_;  // what may lie between the eye and such a place
 };
 
 }  // namespace render

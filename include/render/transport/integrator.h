@@ -33,7 +33,7 @@ struct RayCounts {
 
 // What a camera ray met first, for the picture's layers.
 struct FirstSurface {
-    float distance = core::infinity;  // along the view; infinite where it met nothing
+    float distance = core::infinity;  // as Camera::depth has it; infinite where it met nothing
     core::Rgbf albedo{0};  // 0 for a light
     core::Vec3f normal{0};  // the shading normal, in the world, facing the eye
 
@@ -114,14 +114,15 @@ public:
 
 // The report's own (section 5.2): plain, scalar, the oracle. Scene and accelerator must outlive it.
 // ambient: times R_d, it is added where a path ends because it holds all the surface points it may.
-// eye: where camera rays start, or near there; what it is inside of is found once.
+// starts: where camera rays start; what that is inside of is found once. From elsewhere they are right, too, and
+// slower.
 std::unique_ptr<ScalarIntegrator> makeReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
                                                        const RenderSettings& settings, const core::Rgbf& ambient,
-                                                       const core::Vec3f& eye);
+                                                       const RayStarts& starts);
 
 // The same expected picture with far less noise for the time: many paths at once, in lanes. All as above.
 std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
                                                const RenderSettings& settings, const core::Rgbf& ambient,
-                                               const core::Vec3f& eye);
+                                               const RayStarts& starts);
 
 }  // namespace render

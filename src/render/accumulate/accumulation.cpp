@@ -8,12 +8,16 @@
 namespace render {
 namespace {
 
+// Columns are cut where those of the whole picture are: a pixel's noise is told by those beside it in its tile.
 std::vector<Tile> tilesOf(const image::Film& film) {
     std::vector<Tile> tiles;
-    const int right = film.width(), bottom = film.startLine() + film.lines();
-    for (int y = film.startLine(); y < bottom; y += tileSize)
-        for (int x = 0; x < right; x += tileSize)
-            tiles.emplace_back(x, y, std::min(x + tileSize, right), std::min(y + tileSize, bottom), film.hasLayers());
+    const image::Window& held = film.held();
+    const int right = held.left + held.width, bottom = held.top + held.height;
+    for (int y = held.top; y < bottom; y += tileSize)
+        for (int x = held.left, next; x < right; x = next) {
+            next = std::min(x - x % tileSize + tileSize, right);
+            tiles.emplace_back(x, y, next, std::min(y + tileSize, bottom), film.hasLayers());
+        }
     return tiles;
 }
 

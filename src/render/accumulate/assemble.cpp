@@ -1,18 +1,23 @@
 #include "render/accumulate/assemble.h"
 
 #include "core/error.h"
+#include "render/accumulate/cover.h"
 #include "render/accumulate/noise.h"
+#include "render/accumulate/tile.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <limits>
 
 namespace render {
 namespace {
 
 constexpr std::string_view startLine = "grsh:startline", stopLine = "grsh:stopline";
+constexpr std::string_view startColumn = "grsh:startcolumn", stopColumn = "grsh:stopcolumn";
 constexpr std::string_view noise = "grsh:noise", noiseSums = "grsh:noisesums";
 // What a strip says of itself alone.
-constexpr std::string_view ownTexts[] = {startLine, stopLine, noise, noiseSums};
+constexpr std::string_view ownTexts[] = {startLine, stopLine, startColumn, stopColumn, noise, noiseSums};
 
 [[noreturn]] void fail(std::string_view reason, const std::string& path, const std::string& why) {
     throw core::Error("STRIP", std::string(reason), path, why);
@@ -20,11 +25,6 @@ constexpr std::string_view ownTexts[] = {startLine, stopLine, noise, noiseSums};
 
 std::string quoted(const std::string& path) {
     return "\"" + path + "\"";
-}
-
-std::string linesText(int first, int last) {
-    if (first == last) return "line " + std::to_string(first);
-    return "lines " + std::to_string(first) + " to " + std::to_string(last);
 }
 
 const std::string* textOf(const image::Image& image, std::string_view keyword) {
@@ -45,25 +45,45 @@ int numberIn(const Strip& strip, std::string_view keyword) {
     return number;
 }
 
-int firstLine(const Strip& strip) {
-    return numberIn(strip, startLine);
+int widthOf(const Strip& strip) {
+    return numberIn(strip, "grsh:width");
 }
-int lastLine(const Strip& strip) {
-    return numberIn(strip, stopLine);
+int heightOf(const Strip& strip) {
+    return numberIn(strip, "grsh:height");
+}
+
+// What it says that it has of the whole picture. Older strips say nothing of columns and have all.
+image::Window windowOf(const Strip& strip) {
+    const bool saysColumns = textOf(strip.image, startColumn) != nullptr;
+    const int left = saysColumns ? numberIn(strip, startColumn) : 0;
+    const int right = saysColumns ? numberIn(strip, stopColumn) : widthOf(strip) - 1;
+    const int top = numberIn(strip, startLine), bottom = numberIn(strip, stopLine);
+    const auto count = [](int first, int last) {
+        constexpr std::int64_t most = std::numeric_limits<int>::max();
+        return static_cast<int>(std::min(std::int64_t{last} - first + 1, most));
+    };
+    return {left, top, count(left, right), count(top, bottom)};
+}
+
+std::string windowText(const image::Window& window, int width) {
+    const std::string lines = rangeText("line", window.top, window.top + (window.height - 1));
+    if (window.left == 0 && window.width == width) return lines;
+    return lines + ", " + rangeText("column", window.left, window.left + (window.width - 1));
 }
 
 void checkSelf(const Strip& strip) {
-    const int width = numberIn(strip, "grsh:width"), height = numberIn(strip, "grsh:height");
-    const int first = firstLine(strip), last = lastLine(strip);
-    const image::Window& held = strip.image.held;
-    if (first > last || last >= height || held != image::Window{0, first, width, last - first + 1})
-        fail("NONE", strip.path,
-             quoted(strip.path) + " is no strip as it was written: it says that it is " + linesText(first, last) +
-                 " of " + std::to_string(width) + " x " + std::to_string(height) + " pixels, and has " +
-                 linesText(held.top, held.top + held.height - 1) + " of width " + std::to_string(held.width));
+    const int width = widthOf(strip), height = heightOf(strip);
+    const image::Window says = windowOf(strip), &held = strip.image.held;
+    const bool isWithin =
+        says.width > 0 && says.height > 0 && says.width <= width - says.left && says.height <= height - says.top;
+    if (isWithin && held == says) return;
+    fail("NONE", strip.path,
+         quoted(strip.path) + " is no strip as it was written: it says that it is " + windowText(says, width) + " of " +
+             std::to_string(width) + " x " + std::to_string(height) + " pixels, and has " +
+             windowText(held, held.width) + " of width " + std::to_string(held.width));
 }
 
-// Whether both come from the same render: all that they say of it, but for the lines and their noise.
+// Whether both come from the same render: all that they say of it, but for what they have of it and its noise.
 void checkSameRender(const Strip& first, const Strip& strip) {
     const auto refuse = [&](const std::string& what, const std::string& here, const std::string& there) {
         fail("RENDER", strip.path,
@@ -90,29 +110,6 @@ void checkSameRender(const Strip& first, const Strip& strip) {
         fail("RENDER", strip.path, quoted(strip.path) + " has another gamma than " + quoted(first.path));
 }
 
-// strips: in the order of their lines.
-void checkLines(const std::vector<Strip>& strips) {
-    const int height = numberIn(strips[0], "grsh:height");
-    int next = 0;
-    std::string above = "the top";
-    const auto checkGap = [&](int line, const std::string& below) {
-        if (line > next)
-            fail("GAP", strips[0].path,
-                 "no strip has " + linesText(next, line - 1) + ", between " + above + " and " + below);
-    };
-    for (std::size_t i = 0; i < strips.size(); ++i) {
-        const int first = firstLine(strips[i]), last = lastLine(strips[i]);
-        if (first < next)
-            fail("OVERLAP", strips[i].path,
-                 quoted(strips[i - 1].path) + " and " + quoted(strips[i].path) + " both have " +
-                     linesText(first, std::min(last, next - 1)));
-        checkGap(first, quoted(strips[i].path));
-        next = last + 1;
-        above = quoted(strips[i].path);
-    }
-    checkGap(height, "the bottom");
-}
-
 NoiseSums noiseSumsOf(const Strip& strip) {
     const std::string* text = textOf(strip.image, noiseSums);
     const auto sums = text == nullptr ? std::nullopt : NoiseSums::fromText(*text);
@@ -123,52 +120,68 @@ NoiseSums noiseSumsOf(const Strip& strip) {
     return *sums;
 }
 
-// What the whole says of its noise; nothing where no strip says anything, as of too few samples.
+// What the whole says of its noise; nothing where no strip says anything, as of too few samples, or where no sums of
+// theirs are those of the whole.
 std::optional<std::string> wholeNoise(const std::vector<Strip>& strips) {
     const auto says = [](const Strip& strip) { return textOf(strip.image, noise) != nullptr; };
     if (std::ranges::none_of(strips, says)) return std::nullopt;
     if (strips.size() == 1) return *textOf(strips[0].image, noise);
+    const auto isWhole = [](const Strip& strip) { return hasWholeTiles(strip.image.held, widthOf(strip)); };
+    if (!std::ranges::all_of(strips, isWhole)) return std::nullopt;
     NoiseSums sums = noiseSumsOf(strips[0]);
     for (std::size_t i = 1; i < strips.size(); ++i) sums += noiseSumsOf(strips[i]);
     const int samples = numberIn(strips[0], "grsh:samplesperpixel");
-    const double pixels = double(numberIn(strips[0], "grsh:width")) * numberIn(strips[0], "grsh:height");
+    const double pixels = double(widthOf(strips[0])) * heightOf(strips[0]);
     return noiseText(estimateNoise(sums, samples, pixels).error);
 }
 
-void append(image::PixelNumbers& to, const image::PixelNumbers& from) {
-    const auto add = [&]<class Number>(std::vector<Number>& numbers) {
-        const auto& more = std::get<std::vector<Number>>(from);
-        numbers.insert(numbers.end(), more.begin(), more.end());
+// The numbers of a channel, each strip's in their places; the strips lose theirs.
+image::PixelNumbers wholeChannel(std::vector<Strip>& strips, std::size_t channel, int width, int height) {
+    const auto put = [&]<class Number>(const std::vector<Number>&) -> image::PixelNumbers {
+        std::vector<Number> whole(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        for (Strip& strip : strips) {
+            const image::Window& held = strip.image.held;
+            auto& part = std::get<std::vector<Number>>(strip.image.channels[channel].samples);
+            for (int line = 0; line < held.height; ++line) {
+                const auto from = part.begin() + std::ptrdiff_t{line} * held.width;
+                std::copy(from, from + held.width, whole.begin() + std::ptrdiff_t{held.top + line} * width + held.left);
+            }
+            part = {};
+        }
+        return whole;
     };
-    std::visit(add, to);
+    // The strips' own vectors go while the whole is made: only their kind is asked for.
+    const image::PixelNumbers kind = std::visit(
+        []<class Number>(const std::vector<Number>&) -> image::PixelNumbers { return std::vector<Number>(); },
+        strips[0].image.channels[channel].samples);
+    return std::visit(put, kind);
 }
 
 }  // namespace
 
 image::Image assemble(std::vector<Strip> strips) {
+    std::vector<Part> parts;
     for (const Strip& strip : strips) {
         checkSelf(strip);
         checkSameRender(strips[0], strip);
+        parts.push_back({strip.path, strip.image.held});
     }
-    std::sort(strips.begin(), strips.end(), [](const Strip& a, const Strip& b) {
-        return std::pair(firstLine(a), lastLine(a)) < std::pair(firstLine(b), lastLine(b));
-    });
-    checkLines(strips);
-    const int height = numberIn(strips[0], "grsh:height");
+    const int width = widthOf(strips[0]), height = heightOf(strips[0]);
+    checkCover(std::move(parts), width, height);
     const std::optional<std::string> noiseOfAll = wholeNoise(strips);
-    image::Image whole = std::move(strips[0].image);
-    for (std::size_t i = 1; i < strips.size(); ++i) {
-        for (std::size_t c = 0; c < whole.channels.size(); ++c)
-            append(whole.channels[c].samples, strips[i].image.channels[c].samples);
-        strips[i].image.channels.clear();
-        whole.partsLeftOut = std::max(whole.partsLeftOut, strips[i].image.partsLeftOut);
-    }
-    whole.held = whole.whole = {0, 0, whole.held.width, height};
-    whole.isPart = false;
-    std::erase_if(whole.metadata, [](const auto& text) { return text.first == noiseSums; });
+    image::Image whole;
+    whole.held = whole.whole = {0, 0, width, height};
+    whole.gamma = strips[0].image.gamma;
+    for (std::size_t c = 0; c < strips[0].image.channels.size(); ++c)
+        whole.channels.push_back({strips[0].image.channels[c].name, wholeChannel(strips, c, width, height)});
+    for (const Strip& strip : strips) whole.partsLeftOut = std::max(whole.partsLeftOut, strip.image.partsLeftOut);
+    whole.metadata = std::move(strips[0].image.metadata);
+    std::erase_if(whole.metadata,
+                  [&](const auto& text) { return text.first == noiseSums || (text.first == noise && !noiseOfAll); });
     for (auto& [key, value] : whole.metadata) {
-        if (key == startLine) value = "0";
+        if (key == startLine || key == startColumn) value = "0";
         if (key == stopLine) value = std::to_string(height - 1);
+        if (key == stopColumn) value = std::to_string(width - 1);
         if (key == noise) value = *noiseOfAll;
     }
     return whole;

@@ -78,7 +78,7 @@ void checkLanes(core::Word lanes) {
 
 std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
                                                const RenderSettings& settings, const core::Rgbf& ambient,
-                                               const core::Vec3f& eye) {
+                                               const RayStarts& starts) {
     // To ask each of a few lights takes away more noise than it costs time.
     constexpr std::size_t few = 4;
     const bool picksLights = scene.lights.size() > few && scene.lights.size() <= LightTree::mostLights;
@@ -90,7 +90,7 @@ std::unique_ptr<Integrator> makePathIntegrator(const gr::Scene& scene, const gr:
                     settings.background,
                     ambient,
                     {}};
-    if (setup.scene.hasInteriors) setup.eyeMedia = EyeMedia(scene, eye, settings);
+    if (setup.scene.hasInteriors) setup.eyeMedia = EyeMedia(scene, starts);
     return std::unique_ptr<Integrator>(choiceOf(settings.lanes).make(std::move(setup)));
 }
 

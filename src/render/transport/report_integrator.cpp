@@ -82,14 +82,14 @@ void count(RayCounts& rays, const BsdfSample<float>& sample) {
 class ReportIntegrator final : public ScalarIntegrator {
 public:
     ReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator, const RenderSettings& settings,
-                     const Rgbf& ambient, const Vec3f& eye)
+                     const Rgbf& ambient, const RayStarts& starts)
         : scene_(scene),
           accelerator_(accelerator),
           pathLength_(settings.globalIllumination ? settings.pathLength : 1),
           lightSamples_(settings.samplesPerLightSource),
           background_(settings.background),
           ambient_(ambient),
-          eyeMedia_(scene, eye, settings) {}
+          eyeMedia_(scene, starts) {}
 
     Rgbf radiance(const Rayf& cameraRay, Sampler& sampler, RayCounts& rays, FirstSurface* first) const override {
         Rgbf radiance(0);
@@ -174,8 +174,8 @@ private:
 
 std::unique_ptr<ScalarIntegrator> makeReportIntegrator(const gr::Scene& scene, const gr::Accelerator& accelerator,
                                                        const RenderSettings& settings, const Rgbf& ambient,
-                                                       const Vec3f& eye) {
-    return std::make_unique<ReportIntegrator>(scene, accelerator, settings, ambient, eye);
+                                                       const RayStarts& starts) {
+    return std::make_unique<ReportIntegrator>(scene, accelerator, settings, ambient, starts);
 }
 
 }  // namespace render

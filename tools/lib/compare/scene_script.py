@@ -131,6 +131,8 @@ class SceneScript:
 
     def gr_render(self, node, file, width, height, eye, view, up, fov, *options):
         options = pairs(options)
+        if options.get("projection", "perspective") != "perspective":
+            raise SystemExit(f"scene_script.py does not know projection {options['projection']}")
         self.path_length = int(options["pathlength"])
         forward = numbers(view) / np.linalg.norm(numbers(view))
         right = np.cross(forward, numbers(up))

@@ -32,5 +32,5 @@ proc obj2gr::viewLines {low high picture hasLamps} {
     lappend lines "gr_render :model [list $picture] 640 480 \\" \
         "    {[shown $eye]} {[shown [times $back -1]]} {0 1 0} $fov \\" \
         "    globalillumination on antialiasing on pathlength 8 samplesperpixel 64 \\" \
-        "    accelerator auto background {0.35 0.38 0.42}" ""
+        "    background {0.35 0.38 0.42}" ""
 }

@@ -69,9 +69,9 @@ namespace eval ::report {
         }
         set row [dict get $qualityTable $quality]
         lassign [renderWords $words] tail options
-        set options [optionsAt $row $options]
+        set options [optionsAt $row [concat [gr_default] $options]]
         lassign [sizeAt $row $width $height] width height
-        set words [list $node $target $width $height $eye $view $up $fov {*}$tail]
+        set words [list $node $target $width $height $eye {*}$view $up $fov {*}$tail]
         set result [renderAsAsked {*}$words {*}$options]
         set finer [finer $row $options [dict exists $picture keep] [dict get $result noise]]
         if {$finer ne {}} {
@@ -90,7 +90,10 @@ namespace eval ::report {
         set script [file join $root [scriptOf $::report::name]]
         if {![file isfile $script]} {error "there is no [scriptOf $::report::name]"}
         rename ::gr_render ::report::renderAsAsked
-        proc ::gr_render {node file width height eye view up fov args} {
+        proc ::gr_render {node file width height eye view args} {
+            # lookat {x y z} may stand in place of the view.
+            if {$view eq "lookat"} {set args [lassign $args point]; lappend view $point} else {set view [list $view]}
+            set args [lassign $args up fov]
             ::report::renderScene $node $file $width $height $eye $view $up $fov $args
         }
         trace add execution source enter ::report::noteSource
