@@ -47,6 +47,7 @@ struct Command {
 inline constexpr std::size_t anyNumberOfWords = ~std::size_t{0};
 
 std::span<const Command> shapeCommands();
+std::span<const Command> meshCommands();
 std::span<const Command> nodeCommands();
 std::span<const Command> materialCommands();
 std::span<const Command> lightCommands();
@@ -64,6 +65,7 @@ std::string materialOptionsHelp();
 std::string renderOptionsHelp();
 std::string compareOptionsHelp();
 std::string meshOptionsHelp();
+std::string polyhedronOptionsHelp();
 
 // Creates the commands, and a session that lives as long as the interpreter; files lives longer.
 void registerCommands(Tcl_Interp* interp, const FileAccess& files, const Limits& limits, bool resumes);

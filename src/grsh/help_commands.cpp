@@ -24,6 +24,7 @@ std::string about(const Command& command) {
     std::string options;
     if (command.name == "gr_render") options = renderOptionsHelp();
     if (command.name == "gr_compare") options = compareOptionsHelp();
+    if (command.name == "gr_polyhedron") options = polyhedronOptionsHelp();
     if (command.name == "gr_mesh") options = meshOptionsHelp();
     if (command.name == "gr_material") options = materialOptionsHelp();
     if (!options.empty()) {
