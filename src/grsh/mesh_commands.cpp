@@ -164,6 +164,12 @@ Tcl_Obj* makeLathe(Call& call) {
     return create(call, gr::PolyhedronNode{polyhedron});
 }
 
+// Its words are read as text: as an object a word cannot be a list and a number at once.
+bool isNumber(Tcl_Obj* word) {
+    double number = 0;
+    return Tcl_GetDouble(nullptr, std::string(textOf(word)).c_str(), &number) == TCL_OK;
+}
+
 gr::HeightGrid readRows(Tcl_Obj* word) {
     const std::string expected = "rows {{h ...} ...} or a picture file, " + image::pictureEndings();
     gr::HeightGrid grid;
@@ -171,10 +177,8 @@ gr::HeightGrid readRows(Tcl_Obj* word) {
         const std::string what = "row " + std::to_string(grid.rows);
         const auto elements = elementsOf(row, what, "a list of heights");
         const int count = static_cast<int>(elements.size());
-        // One word that is no number was meant for a file's name.
-        double number = 0;
-        if (grid.rows == 0 && count < 2 && Tcl_GetDoubleFromObj(nullptr, row, &number) != TCL_OK)
-            throwBadValue("heights", expected, word);
+        // A single word that is no number was meant for a file's name.
+        if (grid.rows == 0 && count == 1 && !isNumber(row)) throwBadValue("heights", expected, word);
         if (grid.rows > 0 && count != grid.columns)
             throwBadValue(what, "as long as row 0, " + std::to_string(grid.columns) + " heights", row);
         grid.columns = count;

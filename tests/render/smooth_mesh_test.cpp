@@ -131,7 +131,7 @@ TEST_P(SmoothMesh, IsLitUpToTheTerminatorOfItsNormals) {
             const core::Vec3f light = glm::normalize(lamp - surface->lifted);
             const float cosine = glm::dot(surface->shadingNormal, light);
             const core::Rgbf expected = cosine <= 0 ? core::Rgbf(0) : core::Rgbf(1, 0.5f, 2) * cosine;
-            EXPECT_TRUE(isNear(radiometer.sample(ray, 1, 0), expected)) << i;
+            EXPECT_LT(glm::distance(radiometer.sample(ray, 1, 0), expected), 1e-5) << i;
             behindFace += glm::dot(surface->normal, light) <= 0 && cosine > 0;
             dark += cosine <= 0;
         }
@@ -194,7 +194,7 @@ TEST_P(SmoothMesh, IsNoBrighterThanTheSkyThatItReflects) {
             const RgbMean mean = radiometer.measure(ray, 4000, 1);
             for (int channel = 0; channel < 3; ++channel) {
                 const double whole = reflectance[channel] * core::Rgbf(5, 3, 2)[channel];
-                EXPECT_LT(mean[channel].mean(), whole + 5 * mean[channel].standardError()) << "ray " << i;
+                EXPECT_LT(mean[channel].mean(), whole * 1.00001 + 5 * mean[channel].standardError()) << "ray " << i;
                 least = std::min(least, mean[channel].mean() / whole);
             }
         }

@@ -70,8 +70,8 @@ INSTANTIATE_TEST_SUITE_P(By, Terminator, eachIntegrator, integratorName);
 TEST_P(Terminator, OfACoarseBallIsTheSpheres) {
     const Errors errors = errorsOf(8, 6);
     EXPECT_EQ(errors.steps, 0);
-    EXPECT_LT(errors.now, 0.11);
-    EXPECT_GT(errors.cut, 3 * errors.now);
+    EXPECT_LT(errors.now, 0.08);
+    EXPECT_GT(errors.cut, 0.18);
     RecordProperty("now", std::to_string(errors.now));
     RecordProperty("cut", std::to_string(errors.cut));
 }
