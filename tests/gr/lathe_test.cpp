@@ -1,7 +1,7 @@
 // Meshes turned on a lathe: areas, volumes, normals, places on them, and that they are closed and face outwards.
-// Seen to fail with a profile that is not turned where it runs downwards, with poles of four corners, with normals that
-// are not the mean at a smooth point, or are at a sharp one, with a longitude that starts at +z, and with u of the last
-// segment back at 0.
+// Seen to fail with a profile that is not turned where it runs downwards, with normals that are not the mean at a smooth
+// point, or are at a sharp one, with a longitude that starts at +z, with u of the last segment back at 0, with u at a
+// pole that is its face's edge, and with parts on the axis that count or touch.
 #include "gr/mesh/lathe.h"
 #include "gr/error_of.h"
 
@@ -223,6 +223,8 @@ TEST(Lathe, MakesNothingOfWhatLiesOnTheAxis) {
     const FlatMesh closedByHand = latheMesh(Profile{{0, 0}, {1, 0}, {0, 2}, {0, 0}}, 8);
     expectClosed(closedByHand);
     EXPECT_EQ(closedByHand.faceCount(), latheMesh(Profile{{0, 0}, {1, 0}, {0, 2}}, 8).faceCount());
+    // A place on the axis may be come to again.
+    expectClosed(latheMesh(Profile{{0, 0}, {2, 1}, {0, 2}, {0.2, 1}, {1, 1}, {0, 2}}, 8));
     expectWhole(latheMesh(Profile{{0, -1}, {0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 4}, {0, 5}}, 8));
 }
 

@@ -1,6 +1,6 @@
 // Meshes with normals of their own: how they are shaded, and that no light comes from where there is none.
-// Seen to fail with light samples or bounces that start on the face, with a way to the round shape on its hollow side,
-// too, with light that stays outside taken through, and with the normal not bent.
+// Seen to fail with light samples or bounces that start on the face, with light that counts nothing when it is behind
+// the face, with a way to the round shape on its hollow side, too, and with the normal not bent.
 #include "gr/random_shapes.h"
 #include "render/converges.h"
 #include "render/each_integrator.h"
