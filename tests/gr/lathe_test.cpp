@@ -1,7 +1,7 @@
 // Meshes turned on a lathe: areas, volumes, normals, places on them, and that they are closed and face outwards.
-// Seen to fail with a profile that is not turned where it runs downwards, with normals that are not the mean at a smooth
-// point, or are at a sharp one, with a longitude that starts at +z, with u of the last segment back at 0, with u at a
-// pole that is its face's edge, and with parts on the axis that count or touch.
+// Seen to fail with a profile that is not turned where it runs downwards, with normals that are not the mean at a
+// smooth point, or are at a sharp one, with a longitude that starts at +z, with u of the last segment back at 0, with u
+// at a pole that is its face's edge, and with parts on the axis that count or touch.
 #include "gr/mesh/lathe.h"
 #include "gr/error_of.h"
 

@@ -2,7 +2,6 @@
 // Seen to fail with light samples or bounces that start on the face, with light that counts nothing when it is behind
 // the face, with a way to the round shape on its hollow side, too, and with the normal not bent.
 #include "gr/random_shapes.h"
-#include "render/converges.h"
 #include "render/each_integrator.h"
 
 namespace render {
