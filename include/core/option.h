@@ -48,7 +48,8 @@ template<class Owner>
 using OptionMember =
     std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*, Vec2f Owner::*,
                  std::optional<int> Owner::*, std::optional<double> Owner::*, std::optional<glm::dvec3> Owner::*,
-                 std::optional<Weights> Owner::*, Word Owner::*, WordList Owner::*, std::string Owner::*>;
+                 std::optional<Weights> Owner::*, Word Owner::*, WordList Owner::*, std::string Owner::*,
+                 std::vector<glm::dvec3> Owner::*, std::vector<Rgbf> Owner::*, std::vector<Vec2f> Owner::*>;
 
 template<class Owner>
 struct OptionRow {
@@ -100,6 +101,11 @@ inline std::string optionText(const Rgbf& c) {
 inline std::string optionText(const Vec2f& v) {
     return numberText(v.x) + " " + numberText(v.y);
 }
+// Of these there may be a million: a row tells in words what the default is.
+template<class Value>
+std::string optionText(const std::vector<Value>&) {
+    return "";
+}
 inline std::string optionText(const std::optional<Weights>& value) {
     std::string text;
     if (value)
@@ -149,6 +155,9 @@ std::string typeText(const OptionRow<Owner>& row) {
         std::string operator()(Rgbf Owner::*) const { return form.empty() ? "{r g b}" : std::string(form); }
         std::string operator()(Vec2f Owner::*) const { return std::string(form); }
         std::string operator()(std::optional<Weights> Owner::*) const { return std::string(form); }
+        std::string operator()(std::vector<glm::dvec3> Owner::*) const { return std::string(form); }
+        std::string operator()(std::vector<Rgbf> Owner::*) const { return std::string(form); }
+        std::string operator()(std::vector<Vec2f> Owner::*) const { return std::string(form); }
         std::string operator()(Word Owner::*) const {
             std::string text;
             for (const Word word : words) text += (text.empty() ? "" : "|") + std::string(word);

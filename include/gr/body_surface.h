@@ -68,10 +68,12 @@ private:
             surface.light = core::select(here_, Real(static_cast<float>(shape.light)), surface.light);
         Coordinates<Real> coordinates;
         if (wantsCoordinates) coordinates = coordinatesOf(shape, own);
-        Vec3 shadingNormal = normal;
+        Vec3 shadingNormal = normal, lifted = position;
         if constexpr (std::is_same_v<Shape, const Polyhedron*>)
-            if (shape->hasNormals()) smooth(*shape, point, normal, shadingNormal, coordinates, surface.isSmooth);
+            if (shape->hasNormals())
+                smooth(*shape, point, normal, shadingNormal, own, lifted, coordinates, surface.isSmooth);
         surface.shadingNormal = core::select(here_, shadingNormal, surface.shadingNormal);
+        surface.lifted = core::select(here_, lifted, surface.lifted);
         if (!wantsCoordinates) return;
         surface.uv.x = core::select(here_, coordinates.uv.x, surface.uv.x);
         surface.uv.y = core::select(here_, coordinates.uv.y, surface.uv.y);
@@ -116,14 +118,17 @@ private:
     }
 
     // A mesh's own normals stand for a shape that is rounder than its faces. They change how light is reflected, never
-    // which side of a face something is on.
+    // which side of a face something is on. own: the point as the mesh has it, which may be inverted here.
     void smooth(const Polyhedron& mesh, const ShapePoint<Real>& point, const Vec3& faceNormal, Vec3& shadingNormal,
-                Coordinates<Real>& coordinates, Mask& isSmooth) const {
+                const ShapePoint<Real>& own, Vec3& lifted, Coordinates<Real>& coordinates, Mask& isSmooth) const {
         const Vec3 outward = mesh.shadingNormal<Real>(hit_), given = instance_.isInverted ? -outward : outward;
         const Vec3 normal = glm::normalize(instance_.place.objectFromWorld().transposed(given));
         const Mask isGiven = here_ & (glm::dot(normal, faceNormal) > Real(0));
         if (!core::any(isGiven)) return;
         shadingNormal = core::select(isGiven, facing<Real>(normal, ray_.direction, point.front), shadingNormal);
+        const Vec3 round = own.position + mesh.lift<Real>(hit_, own);
+        const Vec3 placed = instance_.place.isInPlace() ? round : instance_.place.worldFromObject().point(round);
+        lifted = core::select(isGiven, placed, lifted);
         coordinates.tangent = core::select(isGiven, eastOf<Real>(given), coordinates.tangent);
         isSmooth = isSmooth | isGiven;
     }

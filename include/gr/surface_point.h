@@ -13,6 +13,9 @@ struct SurfacePoint {
     // Unit length, on the normal's side both of the surface and of the ray. Another one only where isSmooth says so.
     core::Vec3<Real> shadingNormal;
     core::Mask<Real> isSmooth;
+    // Where light must arrive to be reflected: on the round shape that a smooth mesh stands for, on the ray's side of
+    // the surface; the position everywhere else.
+    core::Vec3<Real> lifted;
     // Where on the surface, and in which direction u grows, not of unit length. Only where somebody asks for them.
     core::Vec2<Real> uv;
     core::Vec3<Real> tangent;
@@ -22,6 +25,8 @@ struct SurfacePoint {
     core::Mask<Real> isMet() const { return t < Real(core::infinity); }
     // Where a ray starts or ends that leaves the surface. side: the normal, or its negative.
     core::Vec3<Real> offset(const core::Vec3<Real>& side) const { return position + side * step; }
+    // The same for light that is reflected. side: where the ray came from.
+    core::Vec3<Real> liftedOffset(const core::Vec3<Real>& side) const { return lifted + side * step; }
 };
 
 }  // namespace gr

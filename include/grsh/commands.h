@@ -58,6 +58,7 @@ struct Command {
 inline constexpr std::size_t anyNumberOfWords = ~std::size_t{0};
 
 std::span<const Command> shapeCommands();
+std::span<const Command> meshCommands();
 std::span<const Command> nodeCommands();
 std::span<const Command> transformCommands();
 std::span<const Command> materialCommands();
@@ -77,6 +78,7 @@ std::vector<OptionHelp> materialOptionsHelp();
 std::vector<OptionHelp> renderOptionsHelp();
 std::vector<OptionHelp> compareOptionsHelp();
 std::vector<OptionHelp> meshOptionsHelp();
+std::vector<OptionHelp> polyhedronOptionsHelp();
 
 // Creates the commands, and a session that lives as long as the interpreter; files and overrides live longer.
 void registerCommands(Tcl_Interp* interp, const FileAccess& files, Overrides& overrides, const Limits& limits,

@@ -26,6 +26,8 @@ public:
     // Each throws core::Error "cannot read ..." or "cannot write ...", which calls the file name, for what may not be
     // used. In safe mode the path that comes back leads to what was checked for as long as it is held.
     image::FileName toRead(const std::string& name) const;
+    // The file at a path that its name does not tell by itself.
+    image::FileName toRead(const std::string& path, const std::string& name) const;
     image::FileName toWrite(const std::string& name) const;
     // A file that grsh has written beside a picture: it lies where writing is allowed.
     image::FileName toReadBack(const std::string& name) const;
@@ -46,7 +48,7 @@ private:
     using Roots = std::vector<Root>;
 
     static Roots openRoots(const char* verb, const std::vector<std::string>& folders);
-    image::FileName openFile(const std::string& name, const Roots& roots) const;
+    image::FileName openFile(const std::string& path, const std::string& name, const Roots& roots) const;
 
     bool isSafe_ = false;
     Roots reads_, writes_;

@@ -73,6 +73,32 @@ inline void readOption(core::Vec2f& value, Tcl_Obj* word, std::string_view what,
     oneOrMoreFrom(word, what, range, numbers);
     value = {static_cast<float>(numbers[0]), static_cast<float>(numbers[1])};
 }
+// Lists of vectors: the message calls the third of the normals "normal 2".
+template<class Value, class Read>
+void readList(std::vector<Value>& values, Tcl_Obj* word, std::string_view what, const char* form, const Read& read) {
+    const auto elements = elementsOf(word, what, std::string("a list of ") + form);
+    values.clear();
+    values.reserve(elements.size());
+    const std::string one(what.substr(0, what.size() - what.ends_with('s')));
+    for (Tcl_Obj* element : elements) read(element, one + " " + std::to_string(values.size()));
+}
+inline void readOption(std::vector<glm::dvec3>& values, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    readList(values, word, what, "{x y z}",
+             [&](Tcl_Obj* element, const std::string& name) { values.push_back(vectorFrom(element, name, range)); });
+}
+inline void readOption(std::vector<core::Rgbf>& values, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    readList(values, word, what, "{r g b}", [&](Tcl_Obj* element, const std::string& name) {
+        values.push_back(core::Rgbf(vectorFrom(element, name, range)));
+    });
+}
+inline void readOption(std::vector<core::Vec2f>& values, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    readList(values, word, what, "{u v}", [&](Tcl_Obj* element, const std::string& name) {
+        readOption(values.emplace_back(), element, name, range, {});
+    });
+}
 // Scaled to sum to 1.
 inline void readOption(std::optional<core::Weights>& value, Tcl_Obj* word, std::string_view what,
                        const core::Range& range, std::span<const core::Word>) {

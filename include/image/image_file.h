@@ -57,6 +57,10 @@ private:
     std::filesystem::path target_;  // where links lead
 };
 
+// Whether a name ends as those of pictures that can be read do, and these endings as messages list them.
+bool hasPictureEnding(const std::string& name);
+std::string pictureEndings();
+
 // Reads a picture in the format that the path's ending names. Throws core::Error, which names the file, for what is not
 // there or not whole.
 Image readImage(const FileName& file);

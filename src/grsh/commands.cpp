@@ -137,7 +137,7 @@ void throwWrongWords() {
 
 std::vector<const Command*> allCommands() {
     std::vector<const Command*> commands;
-    for (const auto table : {shapeCommands(), nodeCommands(), transformCommands(), materialCommands(), lightCommands(),
+    for (const auto table : {shapeCommands(), meshCommands(), nodeCommands(), transformCommands(), materialCommands(), lightCommands(),
                              renderCommands(), imageCommands(), statsCommands(), helpCommands()})
         for (const Command& command : table) commands.push_back(&command);
     return commands;

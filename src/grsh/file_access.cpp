@@ -79,19 +79,26 @@ FileAccess::Roots FileAccess::openRoots(const char* verb, const std::vector<std:
     return roots;
 }
 
-image::FileName FileAccess::openFile(const std::string& name, const Roots& roots) const {
-    Descriptor file = openInAny(roots, plainPath(name), core::openFileBelow);
+image::FileName FileAccess::openFile(const std::string& path, const std::string& name, const Roots& roots) const {
+    Descriptor file = openInAny(roots, plainPath(path), core::openFileBelow);
     if (!file.isOpen()) fail("read", name, reasonOf(errno, only("read", roots)));
-    const std::string path = file.path();
-    return {name, path, std::move(file)};
+    const std::string opened = file.path();
+    return {name, opened, std::move(file)};
 }
 
 image::FileName FileAccess::toRead(const std::string& name) const {
-    return isSafe_ ? openFile(name, reads_) : image::FileName(name);
+    return toRead(name, name);
+}
+
+image::FileName FileAccess::toRead(const std::string& path, const std::string& name) const {
+    if (isSafe_) return openFile(path, name, reads_);
+    image::FileName file(path);
+    file.name = name;
+    return file;
 }
 
 image::FileName FileAccess::toReadBack(const std::string& name) const {
-    return isSafe_ ? openFile(name, writes_) : image::FileName(name);
+    return isSafe_ ? openFile(name, name, writes_) : image::FileName(name);
 }
 
 image::FileName FileAccess::toWrite(const std::string& name) const {

@@ -11,9 +11,10 @@ struct OptionTable {
     std::string_view command;
     std::vector<OptionHelp> (*options)();
 };
-constexpr std::array<OptionTable, 4> optionTables{{
+constexpr std::array<OptionTable, 5> optionTables{{
     {"gr_render", renderOptionsHelp},
     {"gr_compare", compareOptionsHelp},
+    {"gr_polyhedron", polyhedronOptionsHelp},
     {"gr_mesh", meshOptionsHelp},
     {"gr_material", materialOptionsHelp},
 }};

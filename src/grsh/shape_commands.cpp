@@ -2,8 +2,6 @@
 
 #include "grsh/commands.h"
 #include "grsh/node_words.h"
-#include "grsh/option_words.h"
-#include "grsh/place.h"
 
 #include <algorithm>
 #include <array>
@@ -115,58 +113,7 @@ Tcl_Obj* makePlane(Call& call) {
     return create(call, plane);
 }
 
-std::vector<glm::dvec3> readVertices(Call& call) {
-    std::vector<glm::dvec3> vertices;
-    const auto elements = elementsOf(call.words.object(2), "vertices", "a list of {x y z}");
-    for (Tcl_Obj* element : elements)
-        vertices.push_back(vectorFrom(element, "vertex " + std::to_string(vertices.size()), coordinate));
-    if (vertices.size() < 3) throwBadValue("vertices", "at least three {x y z}", call.words.object(2));
-    return vertices;
-}
-
-std::vector<std::vector<int>> readFaces(Call& call, std::size_t vertexCount) {
-    const core::Range index{.least = 0, .most = static_cast<double>(vertexCount) - 1};
-    std::vector<std::vector<int>> faces;
-    for (Tcl_Obj* element : elementsOf(call.words.object(3), "faces", "a list of {i j k ...}")) {
-        const std::string what = "face " + std::to_string(faces.size());
-        const auto corners = elementsOf(element, what, "a list of vertex numbers");
-        if (corners.size() < 3) throwBadValue(what, "at least three vertex numbers", element);
-        std::vector<int>& face = faces.emplace_back();
-        for (Tcl_Obj* corner : corners) face.push_back(integerFrom(corner, "vertex number in " + what, index));
-    }
-    if (faces.empty()) throwBadValue("faces", "at least one {i j k ...}", call.words.object(3));
-    return faces;
-}
-
-Tcl_Obj* makePolyhedron(Call& call) {
-    checkNew(call);
-    gr::PolygonMesh mesh;
-    mesh.vertices = readVertices(call);
-    mesh.faces = readFaces(call, mesh.vertices.size());
-    gr::MeshRepairs repairs;
-    const auto polyhedron = gr::Polyhedron::make(mesh, repairs);
-    Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron});
-    if (const std::string text = repairs.text(); !text.empty())
-        warn(call, "gr_polyhedron: " + std::string(textOf(path)) + ": " + text);
-    return path;
-}
-
-Tcl_Obj* makeMesh(Call& call) {
-    checkNew(call);
-    const std::string file(call.words.text(2));
-    gr::MeshSettings settings;
-    readOptions(call.words, 3, "no such option", settings);
-    gr::MeshRepairs repairs;
-    const std::string place = besideScript(call.interp, file);
-    const core::Folder* below = call.session.files->folderToRead(place, file);
-    const auto polyhedron = call.session.database.readMesh(place, file, repairs, below, settings);
-    Tcl_Obj* path = create(call, gr::PolyhedronNode{polyhedron, file});
-    if (const std::string text = repairs.text(); !text.empty())
-        warn(call, "gr_mesh: " + std::string(textOf(path)) + ": \"" + file + "\": " + text);
-    return path;
-}
-
-constexpr std::array<Command, 9> rows{{
+constexpr std::array<Command, 7> rows{{
     {"gr_sphere", "", "pname name ?{x y z} radius?", 2, 4, makeSphere,
      "makes a sphere; without the tail, the unit sphere at the origin"},
     {"gr_box", "gr_cube", "pname name ?{x y z} size?", 2, 4, makeBox,
@@ -181,10 +128,6 @@ constexpr std::array<Command, 9> rows{{
      "makes a flat disc that faces +y, with a hole of radius hole if given; without the tail, of radius 1"},
     {"gr_plane", "", "pname name ?{x y z} {nx ny nz}?", 2, 4, makePlane,
      "makes a plane without end through {x y z} across the normal; without the tail, y = 0 facing +y"},
-    {"gr_polyhedron", "", "pname name {{x y z} ...} {{i j k ...} ...}", 4, 4, makePolyhedron,
-     "makes a polygon mesh: vertices, then faces of vertex numbers from 0; any simple polygon, concave ones too"},
-    {"gr_mesh", "", "pname name file ?option value ...?", 3, anyNumberOfWords, makeMesh,
-     "makes a mesh from a file, .obj, .ply, .stl, .gltf or .glb; its path is relative to the script's folder"},
 }};
 
 template<class... Nodes>
@@ -200,10 +143,6 @@ static_assert(haveAllRows(std::type_identity<gr::ShapeNodes>()), "a shape of the
 
 std::span<const Command> shapeCommands() {
     return rows;
-}
-
-std::vector<OptionHelp> meshOptionsHelp() {
-    return optionsHelp(gr::MeshSettings::options());
 }
 
 }  // namespace grsh

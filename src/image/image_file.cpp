@@ -70,21 +70,37 @@ std::string endingOf(const std::string& path) {
     return ending;
 }
 
-// verb: what is to be done to the file, "read" or "write".
-const Format& formatOf(const std::string& path, std::string_view verb) {
-    const std::string ending = endingOf(path);
+// verb: what is to be done to files with them, "read" or "write".
+std::string endingsFor(std::string_view verb) {
     std::vector<std::string_view> endings;
-    for (const Format& format : formats) {
-        if (verb == "write" && format.writeImage == nullptr) continue;
-        if (ending == format.ending) return format;
-        endings.push_back(format.ending);
-    }
+    for (const Format& format : formats)
+        if (verb == "read" || format.writeImage != nullptr) endings.push_back(format.ending);
+    return core::listed(endings);
+}
+
+const Format* findFormat(const std::string& path) {
+    const auto found = std::ranges::find(formats, endingOf(path), &Format::ending);
+    return found == formats.end() ? nullptr : &*found;
+}
+
+// verb: what is to be done to the file.
+const Format& formatOf(const std::string& path, std::string_view verb) {
+    const Format* format = findFormat(path);
+    if (format != nullptr && (verb == "read" || format->writeImage != nullptr)) return *format;
     throw core::Error(
         "FILE", "ENDING", path,
-        "cannot " + std::string(verb) + " \"" + path + "\": the file's ending must be " + core::listed(endings));
+        "cannot " + std::string(verb) + " \"" + path + "\": the file's ending must be " + endingsFor(verb));
 }
 
 }  // namespace
+
+bool hasPictureEnding(const std::string& name) {
+    return findFormat(name) != nullptr;
+}
+
+std::string pictureEndings() {
+    return endingsFor("read");
+}
 
 ImageFile::ImageFile(const FileName& file, std::span<const Layer> layers) : file_(file) {
     const std::string& name = file.name;

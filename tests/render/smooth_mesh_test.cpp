@@ -1,7 +1,7 @@
 // Meshes with normals of their own: how they are shaded, and that no light comes from where there is none.
-// Seen to fail with the check of sides left out of the light samples, of the bounces, and with the normal not bent.
+// Seen to fail with light samples or bounces that start on the face, with light that counts nothing when it is behind
+// the face, with a way to the round shape on its hollow side, too, and with the normal not bent.
 #include "gr/random_shapes.h"
-#include "render/converges.h"
 #include "render/each_integrator.h"
 
 namespace render {
@@ -39,6 +39,33 @@ struct Ball : TestScene {
 
     std::unique_ptr<gr::Scene> scene;
 };
+
+// Whether the normal was turned to the ray, near the rim, and is no longer the mesh's.
+bool isBent(const core::Rayf& ray, const gr::SurfacePoint<float>& surface) {
+    return std::abs(glm::dot(ray.direction, surface.shadingNormal)) < 1e-4f * glm::length(ray.direction);
+}
+
+TEST(SmoothMeshLift, LeadsToTheSphereOnTheSideOfItsBulge) {
+    for (const int cuts : {0, 1, 2, 3}) {
+        Ball ball(materials::Diffuse{}, cuts);
+        double most = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const core::Rayf ray = rayOf(i);
+            const auto surface = ball.meet(ray);
+            if (!surface) continue;
+            // The way to the planes at the corners is about twice that to the sphere.
+            const double below = 1 - glm::length(surface->position), above = glm::length(surface->lifted) - 1;
+            EXPECT_GT(glm::dot(surface->lifted - surface->position, surface->normal), 0);
+            EXPECT_GT(above, -0.02 * below);
+            EXPECT_LT(above, 1.02 * below);
+            most = std::max(most, below);
+            const auto within = ball.meet({ray.origin * 0.15f, ray.direction});
+            ASSERT_TRUE(within);
+            EXPECT_EQ(within->lifted, within->position);
+        }
+        EXPECT_GT(most, 0.2 / std::pow(4, cuts) / 2);
+    }
+}
 
 TEST(SmoothMeshNormal, IsTheSpheresAndOnTheRaysSide) {
     Ball ball(materials::Diffuse{}, 1);
@@ -87,29 +114,70 @@ TEST(SmoothMeshNormal, IsInThePicturesLayer) {
 class SmoothMesh : public EachIntegrator {};
 INSTANTIATE_TEST_SUITE_P(By, SmoothMesh, eachIntegrator, integratorName);
 
-// R_d I cos to the shading normal, and nothing where the light is behind the surface or behind the normal.
-TEST_P(SmoothMesh, NoLightBehindTheTerminator) {
+// R_d I cos to the shading normal, as of the sphere that the mesh stands for: also where the light is behind the face.
+TEST_P(SmoothMesh, IsLitUpToTheTerminatorOfItsNormals) {
     const core::Vec3f lamp(300, 100, -200);
-    Ball ball(materials::Diffuse{{0.5f, 0.25f, 1}});
-    ball.addPointLight("sun", {glm::dvec3(lamp), {2, 2, 2}, core::Vec3f(1, 0, 0)});
-    ball.settings.pathLength = 1;
-    const Radiometer radiometer(ball);
-    int dark = 0, lit = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const core::Rayf ray = rayOf(i);
-        const auto surface = ball.meet(ray);
-        if (!surface) continue;
-        const core::Vec3f light = glm::normalize(lamp - surface->position);
-        const float cosine = glm::dot(surface->shadingNormal, light);
-        const bool isBehind = glm::dot(surface->normal, light) <= 0;
-        const core::Rgbf seen = radiometer.sample(ray, 1, 0);
-        const core::Rgbf expected = isBehind || cosine <= 0 ? core::Rgbf(0) : core::Rgbf(1, 0.5f, 2) * cosine;
-        EXPECT_TRUE(isNear(seen, expected)) << i;
-        dark += isBehind && cosine > 0;
-        lit += expected.x > 0;
+    for (const int cuts : {0, 1, 3}) {
+        Ball ball(materials::Diffuse{{0.5f, 0.25f, 1}}, cuts);
+        ball.addPointLight("sun", {glm::dvec3(lamp), {2, 2, 2}, core::Vec3f(1, 0, 0)});
+        ball.settings.pathLength = 1;
+        const Radiometer radiometer(ball);
+        int behindFace = 0, dark = 0;
+        for (int i = 0; i < 3000; ++i) {
+            const core::Rayf ray = rayOf(i);
+            const auto surface = ball.meet(ray);
+            if (!surface || isBent(ray, *surface)) continue;
+            const core::Vec3f light = glm::normalize(lamp - surface->lifted);
+            const float cosine = glm::dot(surface->shadingNormal, light);
+            const core::Rgbf expected = cosine <= 0 ? core::Rgbf(0) : core::Rgbf(1, 0.5f, 2) * cosine;
+            EXPECT_LT(glm::distance(radiometer.sample(ray, 1, 0), expected), 1e-5) << i;
+            behindFace += glm::dot(surface->normal, light) <= 0 && cosine > 0;
+            dark += cosine <= 0;
+        }
+        EXPECT_GT(behindFace, 10);
+        EXPECT_GT(dark, 300);
     }
-    EXPECT_GT(dark, 20);
-    EXPECT_GT(lit, 500);
+}
+
+// All light of an even sky arrives: R_d of it is reflected, whatever the angle between face and normal.
+TEST_P(SmoothMesh, ReflectsAllOfTheSkyThatASphereWould) {
+    const core::Rgbf reflectance(0.8f, 0.5f, 1);
+    for (const int cuts : {0, 1, 3}) {
+        Ball ball(materials::Diffuse{reflectance}, cuts);
+        ball.settings.background = {5, 3, 2};
+        const Radiometer radiometer(ball);
+        for (int i = 0; i < 40; ++i) {
+            const core::Rayf ray = rayOf(i);
+            const auto surface = ball.meet(ray);
+            if (!surface || isBent(ray, *surface)) continue;
+            const RgbMean mean = radiometer.measure(ray, 4000, 1);
+            for (int channel = 0; channel < 3; ++channel) {
+                const double whole = reflectance[channel] * core::Rgbf(5, 3, 2)[channel];
+                EXPECT_NEAR(mean[channel].mean(), whole, 5 * mean[channel].standardError() + 1e-5 * whole)
+                    << "ray " << i;
+            }
+        }
+    }
+}
+
+// Within a ball the light of all bounces is a geometric series, R_d^k after k of them. What is drawn behind a face
+// meets that face: nothing is lost there, and nothing gained.
+TEST_P(SmoothMesh, IsAFurnaceWithin) {
+    const core::Rgbf reflectance(0.8f, 0.5f, 0.2f);
+    for (const int cuts : {0, 1}) {
+        Ball ball(materials::Diffuse{reflectance}, cuts);
+        ball.ambient = {1, 1, 1};
+        ball.settings.pathLength = 4;
+        const Radiometer radiometer(ball);
+        for (int i = 0; i < 40; ++i) {
+            const core::Rayf outside = rayOf(i), ray{outside.origin * 0.15f, outside.direction};
+            const RgbMean mean = radiometer.measure(ray, 200, 1);
+            for (int channel = 0; channel < 3; ++channel)
+                EXPECT_NEAR(mean[channel].mean(), std::pow(reflectance[channel], 4),
+                            1e-4 + 5 * mean[channel].standardError())
+                    << "ray " << i;
+        }
+    }
 }
 
 TEST_P(SmoothMesh, IsNoBrighterThanTheSkyThatItReflects) {
@@ -125,7 +193,7 @@ TEST_P(SmoothMesh, IsNoBrighterThanTheSkyThatItReflects) {
             const RgbMean mean = radiometer.measure(ray, 4000, 1);
             for (int channel = 0; channel < 3; ++channel) {
                 const double whole = reflectance[channel] * core::Rgbf(5, 3, 2)[channel];
-                EXPECT_LT(mean[channel].mean(), whole + 5 * mean[channel].standardError()) << "ray " << i;
+                EXPECT_LT(mean[channel].mean(), whole * 1.00001 + 5 * mean[channel].standardError()) << "ray " << i;
                 least = std::min(least, mean[channel].mean() / whole);
             }
         }
@@ -141,7 +209,11 @@ TEST_P(SmoothMesh, AConvexBallDoesNotLightItself) {
     const Radiometer direct(ball);
     ball.settings.pathLength = 2;
     const Radiometer whole(ball);
-    for (int i = 0; i < 20000; ++i) EXPECT_EQ(whole.sample(rayOf(i), 1, i), direct.sample(rayOf(i), 1, i)) << i;
+    for (int i = 0; i < 20000; ++i) {
+        const auto surface = ball.meet(rayOf(i));
+        if (!surface || isBent(rayOf(i), *surface)) continue;
+        EXPECT_EQ(whole.sample(rayOf(i), 1, i), direct.sample(rayOf(i), 1, i)) << i;
+    }
 }
 
 // Lights and sky stand outside of a closed mesh: nothing of them is seen in it.

@@ -132,6 +132,7 @@ private:
             position = core::select(isAtEdge, inside, position);
         }
         surface.position = core::select(here, position, surface.position);
+        surface.lifted = core::select(here, position, surface.lifted);
         surface.normal = core::select(here, normal, surface.normal);
         surface.shadingNormal = core::select(here, normal, surface.shadingNormal);
         surface.step = core::select(here, offsetBeyond<Real>(Vec3(error), normal), surface.step);

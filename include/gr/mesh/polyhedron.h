@@ -24,6 +24,10 @@ struct TrianglePack;
 struct PolygonMesh {
     std::vector<glm::dvec3> vertices;
     std::vector<std::vector<int>> faces;
+    // Of each vertex, or empty:
+    std::vector<glm::dvec3> normals{};  // for shading, of any length but 0
+    std::vector<core::Vec2f> uvs{};  // v upwards
+    std::vector<core::Rgbf> colours{};  // linear
 };
 
 // Faces that a file has under one name, and what they are made of there; "" where it gives none.
@@ -88,10 +92,12 @@ public:
 
     ~Polyhedron();
     // Throws core::Error for a face that is not simple (its outline crosses itself) and for a mesh without any area.
-    // mesh: indices within range, finite coordinates, at least three indices to a face.
-    static std::shared_ptr<const Polyhedron> make(const PolygonMesh& mesh, MeshRepairs& repairs);
+    // mesh: indices within range, finite coordinates, at least three indices to a face. One without normals gets some,
+    // where its faces' differ by less than smoothDegrees (smoothNormals).
+    static std::shared_ptr<const Polyhedron> make(const PolygonMesh& mesh, MeshRepairs& repairs,
+                                                  double smoothDegrees = 0);
     // The same for a mesh from elsewhere: no two of its vertices are at one place, and a face that is not simple is
-    // dropped. One without normals gets some, where its faces' differ by less than smoothDegrees (smoothNormals).
+    // dropped.
     static std::shared_ptr<const Polyhedron> make(FlatMesh mesh, MeshRepairs& repairs, double smoothDegrees = 0);
 
     // Replaces `nearest` by the hit of a triangle that comes before it. instance: what stands here for the polyhedron.
@@ -117,6 +123,11 @@ public:
     // and the one at a hit, outwards, not of unit length; it may be 0.
     template<class Real>
     core::Vec3<Real> shadingNormal(const HitOf<Real>& hit) const;  // likewise
+    // From a point of a face to the round shape that the normals stand for: the mean, weighted as the normals are, of
+    // the ways to the planes across them at the corners (Hanika, "Hacking the Shadow Terminator", in Ray Tracing Gems
+    // II, 2021), of those planes only that lie on the ray's side. So where the mesh is hollow there is no way to go.
+    template<class Real>
+    core::Vec3<Real> lift(const HitOf<Real>& hit, const ShapePoint<Real>& point) const;  // likewise
 
     // What its file tells of a triangle's corners, and what it belongs to; empty where it does not.
     std::span<const core::Vec2f> uvs() const { return uvs_; }  // of each triangle's three corners
@@ -138,6 +149,8 @@ public:
 private:
     template<class Real>
     core::Vec3<Real> cornerOf(const core::UInt<Real>& triangle, int corner) const;
+    template<class Real>
+    core::Vec3<Real> normalOf(const core::UInt<Real>& triangle, int corner) const;
 
     Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles);
     void setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);

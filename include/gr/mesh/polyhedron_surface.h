@@ -39,13 +39,33 @@ ShapePoint<Real> Polyhedron::surfaceAt(const core::Ray<Real>& ray, const HitOf<R
 }
 
 template<class Real>
-core::Vec3<Real> Polyhedron::shadingNormal(const HitOf<Real>& hit) const {
+core::Vec3<Real> Polyhedron::normalOf(const core::UInt<Real>& triangle, int corner) const {
     using UInt = core::UInt<Real>;
     const auto* packed = reinterpret_cast<const float*>(normals_.data());
-    const auto corner = [&](std::uint32_t k) {
-        return unpackNormal<Real>(core::bitsAsUInt(core::gather(packed, UInt(hit.triangle * UInt(3) + UInt(k)))));
-    };
-    return corner(0) * (Real(1) - hit.b1 - hit.b2) + corner(1) * hit.b1 + corner(2) * hit.b2;
+    const UInt place = triangle * UInt(3) + UInt(static_cast<std::uint32_t>(corner));
+    return unpackNormal<Real>(core::bitsAsUInt(core::gather(packed, place)));
+}
+
+template<class Real>
+core::Vec3<Real> Polyhedron::shadingNormal(const HitOf<Real>& hit) const {
+    const core::UInt<Real>& triangle = hit.triangle;
+    return normalOf<Real>(triangle, 0) * (Real(1) - hit.b1 - hit.b2) + normalOf<Real>(triangle, 1) * hit.b1 +
+           normalOf<Real>(triangle, 2) * hit.b2;
+}
+
+template<class Real>
+core::Vec3<Real> Polyhedron::lift(const HitOf<Real>& hit, const ShapePoint<Real>& point) const {
+    const Real zero(0), weights[] = {Real(1) - hit.b1 - hit.b2, hit.b1, hit.b2};
+    const Real side = core::select(point.front, Real(1), Real(-1));
+    core::Vec3<Real> lift(zero);
+    for (int k = 0; k < 3; ++k) {
+        const core::Vec3<Real> normal = normalOf<Real>(hit.triangle, k);
+        const Real height = glm::dot(cornerOf<Real>(hit.triangle, k) - point.position, normal) * side;
+        // A normal on the other side of its face would lead through it.
+        const core::Mask<Real> counts = (height > zero) & (glm::dot(normal, point.normal) > zero);
+        lift += normal * core::select(counts, height * side * core::max(weights[k], zero), zero);
+    }
+    return lift;
 }
 
 }  // namespace gr

@@ -56,7 +56,7 @@ public:
     // of many chance picks some. isLast: whether the path goes on from there no more.
     Rgb direct(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask& isLast, RayCounts& rays) const {
         Rgb sum(Real(0));
-        const Vec3 start = points.offset(points.normal);
+        const Vec3 start = points.startAbove();
         const auto add = [&](const Answer& answer) { sum += reflected(paths, points, start, answer, isLast, rays); };
         if (setup_.picksLights) {
             for (int i = 0; i < setup_.lightSamples; ++i) add(answerOfPicked(points, start, drawn(paths, i)));
@@ -111,7 +111,7 @@ private:
     static Answer answerOf(Light light, const Real& times, const ShadingPoints<Real>& points, const Vec3& start,
                            const Draw& place) {
         light.divideBy(times);
-        gr::LightSample<Real> sample = light.sample(points.surface.position, place);
+        gr::LightSample<Real> sample = light.sample(points.surface.lifted, place);
         sample.pdfW = sample.pdfW * times;
         return {sample, light.shadowEnd(start, sample.target), Mask(!Light::canBeMet)};
     }
@@ -157,8 +157,7 @@ private:
         const Mask byLightsAlone = isLast | answer.cannotBeMet;
         const Real weight = core::select(byLightsAlone, Real(1), balanceHeuristic(pdfWLight, pdfWBsdf));
         const Rgb light = f * sample.weight * weight;
-        const Mask shines =
-            paths.alive & (light.x + light.y + light.z > Real(0)) & !points.isOnWrongSide(sample.wi, wi);
+        const Mask shines = paths.alive & (light.x + light.y + light.z > Real(0));
         if (!core::any(shines)) return Rgb(Real(0));
         rays.shadow += static_cast<std::uint64_t>(core::countOf(shines));
         const core::Ray<Real> shadow{start, answer.shadowEnd - start, Real(1)};

@@ -105,12 +105,13 @@ struct ShadingPoints {
         forEachMaterial(
             [&](const auto& material, const core::Mask<Real>& here) { f(material.template at<Real>(surface), here); });
     }
-    // Light from there would shine through the surface: it is above as the surface is shaded and below as it lies, or
-    // the other way round.
-    core::Mask<Real> isOnWrongSide(const core::Vec3<Real>& direction, const core::Vec3<Real>& wi) const {
-        return surface.isSmooth & core::differ(glm::dot(direction, normal) > Real(0), wi.z > Real(0));
+    // Whether light that goes through the surface as it is shaded would stay on this side of it as it lies.
+    core::Mask<Real> staysOutside(const core::Vec3<Real>& direction, const core::Vec3<Real>& wi) const {
+        return surface.isSmooth & (wi.z < Real(0)) & (glm::dot(direction, normal) > Real(0));
     }
-    core::Vec3<Real> offset(const core::Vec3<Real>& side) const { return surface.offset(side); }
+    // Where a ray starts that is reflected, and one that goes through.
+    core::Vec3<Real> startAbove() const { return surface.liftedOffset(normal); }
+    core::Vec3<Real> startBelow() const { return surface.offset(-normal); }
 
 private:
     void turnFrame() {

@@ -31,11 +31,34 @@ std::string MeshRepairs::text() const {
     return text;
 }
 
+namespace {
+
+// Its square may be beyond what a number can be.
+glm::dvec3 unit(const glm::dvec3& v) {
+    return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+}
+
+// What faces' corners have of what their vertices have.
+template<class Value>
+void spread(const std::vector<Value>& ofVertices, const std::vector<int>& corners, std::vector<Value>& ofCorners) {
+    if (ofVertices.empty()) return;
+    ofCorners.reserve(corners.size());
+    for (const int vertex : corners) ofCorners.push_back(ofVertices[vertex]);
+}
+
+}  // namespace
+
 FlatMesh::FlatMesh(const PolygonMesh& mesh) : vertices(mesh.vertices) {
     for (const std::vector<int>& face : mesh.faces) {
         corners.insert(corners.end(), face.begin(), face.end());
         ends.push_back(static_cast<int>(corners.size()));
     }
+    std::vector<PackedNormal> packed;
+    packed.reserve(mesh.normals.size());
+    for (const glm::dvec3& normal : mesh.normals) packed.push_back(packNormal(core::Vec3f(unit(normal))));
+    spread(packed, corners, normals);
+    spread(mesh.uvs, corners, uvs);
+    spread(mesh.colours, corners, colours);
 }
 
 namespace {
@@ -70,11 +93,12 @@ TrianglePack makePack(const FlatMesh& mesh, const glm::dvec3& origin, std::span<
 
 }  // namespace
 
-std::shared_ptr<const Polyhedron> Polyhedron::make(const PolygonMesh& given, MeshRepairs& repairs) {
+std::shared_ptr<const Polyhedron> Polyhedron::make(const PolygonMesh& given, MeshRepairs& repairs,
+                                                   double smoothDegrees) {
     FlatMesh mesh(given);
     mergeVertices(mesh, repairs);
     return std::shared_ptr<const Polyhedron>(
-        new Polyhedron(mesh, makeTriangles(mesh, Crossing::isAnError, 0, repairs)));
+        new Polyhedron(mesh, makeTriangles(mesh, Crossing::isAnError, smoothDegrees, repairs)));
 }
 
 std::shared_ptr<const Polyhedron> Polyhedron::make(FlatMesh mesh, MeshRepairs& repairs, double smoothDegrees) {

@@ -187,7 +187,7 @@ private:
         const Vec3<Real> direction = points.frame.toWorld(next.wi);
         paths.throughput *= next.weight;
         paths.indexSquared *= core::select(isThrough, indexBeyond * indexBeyond, Real(1));
-        paths.alive = paths.alive & next.valid & !points.isOnWrongSide(direction, next.wi);
+        paths.alive = paths.alive & next.valid & !points.staysOutside(direction, next.wi);
 
         // Play Russian roulette where less than a third of the light is left; survivors count for the others.
         const Rgb<Real> left = paths.throughput * paths.indexSquared;
@@ -197,7 +197,7 @@ private:
 
         // Start the next ray, on the side to which it goes.
         if (scene_.hasInteriors) crossSurfaces(paths, points, isThrough);
-        paths.ray.origin = points.offset(core::select(isThrough, -points.normal, points.normal));
+        paths.ray.origin = core::select(isThrough, points.startBelow(), points.startAbove());
         paths.ray.direction = direction;
         paths.lightDraw = Vec3<Real>(u[2], u[3], more[2]);
         count(samples.rays, paths.alive, next);

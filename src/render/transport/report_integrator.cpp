@@ -42,7 +42,6 @@ struct ShadingPoint {
     // f * |cos| towards light in a direction of the world.
     Rgbf eval(const Vec3f& direction) const {
         const Vec3f wi = frame.toLocal(direction);
-        if (isOnWrongSide(wi)) return Rgbf(0);
         return std::visit([&](const auto& b) { return b.eval(wo, wi); }, bsdf);
     }
     // One of the material's ways to go on, and a direction that it takes.
@@ -52,13 +51,16 @@ struct ShadingPoint {
         const float indexBeyond = interior == nullptr ? 1 : media.indexBeyond(*interior, fromOutside) / media.index();
         return std::visit([&](const auto& b) { return b.sample(wo, {method, place}, indexBeyond); }, bsdf);
     }
-    // Whether a direction of the frame is above the surface as it is shaded and below it as it lies, or the other way
-    // round: light from there would shine through the surface.
-    bool isOnWrongSide(const Vec3f& wi) const {
-        return surface.isSmooth && (glm::dot(frame.toWorld(wi), normal) > 0) != (wi.z > 0);
+    // Whether light that goes through the surface as it is shaded would stay on this side of it as it lies.
+    bool staysOutside(const Vec3f& wi) const {
+        return surface.isSmooth && wi.z < 0 && glm::dot(frame.toWorld(wi), normal) > 0;
     }
+    // Where a ray starts that is reflected.
+    Vec3f startAbove() const { return surface.liftedOffset(normal); }
     // The ray that goes on in direction wi of the frame.
-    Rayf rayTowards(const Vec3f& wi) const { return {surface.offset(wi.z < 0 ? -normal : normal), frame.toWorld(wi)}; }
+    Rayf rayTowards(const Vec3f& wi) const {
+        return {wi.z < 0 ? surface.offset(-normal) : startAbove(), frame.toWorld(wi)};
+    }
     bool isLight() const { return surface.light >= 0; }
     // A light reflects nothing.
     Rgbf albedo() const {
@@ -123,7 +125,7 @@ public:
 
             // Go on in a direction drawn by the material.
             const BsdfSample<float> next = point.sample(sampler, media);
-            if (!next.valid || point.isOnWrongSide(next.wi)) return radiance;
+            if (!next.valid || point.staysOutside(next.wi)) return radiance;
             throughput *= next.weight;
             if (throughput == Rgbf(0)) return radiance;
             countsEmission = !next.isLit;
@@ -136,14 +138,14 @@ public:
 private:
     Rgbf directLight(const ShadingPoint& point, const Media& media, Sampler& sampler, RayCounts& rays) const {
         Rgbf sum(0);
-        const Vec3f start = point.surface.offset(point.normal);
+        const Vec3f start = point.startAbove();
         scene_.lights.forEach([&]<class Light>(const Light& light) {
             // The mean of M samples, each of them f * cos * radiance / pdf. Where all would be alike one will do.
             const int samples = Light::hasPlaces ? lightSamples_ : 1;
             Rgbf lightSum(0);
             for (int i = 0; i < samples; ++i) {
                 const core::Vec2f u = Light::hasPlaces ? sampler.next2D() : core::Vec2f(0);
-                const gr::LightSample<float> sample = light.sample(point.surface.position, u);
+                const gr::LightSample<float> sample = light.sample(point.surface.lifted, u);
                 lightSum += reflected(point, media, sample, gr::shadowRay(start, light, sample.target), rays);
             }
             sum += lightSum / static_cast<float>(samples);
