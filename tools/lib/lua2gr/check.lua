@@ -4,10 +4,17 @@ local place, tcl = use("place"), use("tcl")
 local check = {kinds = {}}
 local kinds = check.kinds
 
+-- As a message has it; short lists of numbers as they are.
 local function shown(value)
     if type(value) == "string" then return '"' .. value .. '"' end
-    if type(value) ~= "number" then return type(value) == "nil" and "nil" or "a " .. check.kindOf(value) end
-    return tostring(value)
+    if type(value) == "number" then return value == value and tostring(value) or "nan" end
+    local kind = check.kindOf(value)
+    if kind == "table" and #value <= 4 then
+        local words = {}
+        for _, part in ipairs(value) do table.insert(words, type(part) == "table" and "{...}" or shown(part)) end
+        return "{" .. table.concat(words, ", ") .. "}"
+    end
+    return kind == "nil" and "nil" or "a " .. kind
 end
 
 -- "node", "material", "light", or Lua's type.

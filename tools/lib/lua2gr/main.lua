@@ -20,49 +20,49 @@ if arg[1] == "--help" then
 end
 local scene, sceneFolder, name, out, outFolder, part, order = table.unpack(arg)
 
+local exit = os.exit
+
 local function fail(message)
     io.stdout:flush()
-    io.stderr:write("lua2gr: ", tostring(message), "\n")
-    os.exit(1)
+    io.stderr:write("lua2gr: ", message, "\n")
+    exit(1)
 end
 
 -- The scene as a function, whose errors name it as the caller did. A line that the shell reads is no Lua.
-local function load()
+local function program()
     local file = assert(io.open(name, "rb"))
     local text = file:read("a"):gsub("^\u{FEFF}", ""):gsub("^#[^\n]*", "")
     file:close()
-    return _ENV.load(text, "@" .. scene, "t")
+    return load(text, "@" .. scene, "t")
 end
 
-local finished = {}
-local function run(program)
+-- Runs the scene, until its end or its os.exit().
+local function run(body)
+    local ended = {}
+    function os.exit(code)
+        if code == nil or code == true or code == 0 then error(ended) end
+        error(scene .. " ends with code " .. tostring(code), 0)
+    end
     script.begin(sceneFolder, outFolder, order ~= "last")
     older.install(order == "")
     -- The same scene makes the same script each time.
     math.randomseed(1)
-    os.exit = function(code)
-        error(code == nil or code == true or code == 0 and finished or scene .. " ends with code " .. tostring(code), 0)
-    end
     arg = {[0] = scene}
     gr = commands.table
-    local done, message = pcall(program)
-    if not done and message ~= finished and message ~= true then fail(message) end
+    local done, message = pcall(body)
+    if done or message == ended then return end
+    fail(type(message) == "string" and message or scene .. " fails with " .. tostring(message))
 end
 
-local program, message = load()
-if not program then fail(message) end
-local exit = os.exit
-run(program)
-os.exit = exit
+local body, problem = program()
+if not body then fail(problem) end
+run(body)
 if script.renders() == 0 then fail(scene .. ": gr.render is never called, so there is no picture to make a script of") end
 script.warnOfLeftOut()
 
-local text = "# " .. name .. ", by tools/lua2gr.\n" .. script.text()
-local file, problem = io.open(part, "wb")
-local done = file
-if file then
-    done, problem = file:write(text)
-    if done then done, problem = file:close() end
-end
+local file, done
+file, problem = io.open(part, "wb")
+if file then done, problem = file:write("# " .. name .. ", by tools/lua2gr.\n" .. script.text()) end
+if done then done, problem = file:close() end
 if not done then fail('cannot write "' .. out .. '": ' .. problem) end
 print("lua2gr: " .. out .. ", of " .. script.count() .. " nodes")
