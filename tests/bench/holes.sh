@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/bench/holes.sh [ROUNDS]: how long grsh and POV-Ray take for a box with 100 holes, in processor seconds, in turns,
-# and the median ratio. Both use one thread for 320 x 240 pixels of 17 samples, 4 shadow rays each: with a threshold of 0
-# POV-Ray's method 1 takes one sample of each pixel and 4 x 4 more. Starting, reading the scene and writing count in both.
+# and the median ratio. Both use one thread for 320 x 240 pixels of 17 samples, 4 shadow rays each: with a threshold of
+# 0 POV-Ray's method 1 takes one sample of each pixel and 4 x 4 more. Starting, reading and writing count in both.
 set -euo pipefail
 here=$(readlink -f "$0")
 # shellcheck source=tools/lib/setup.sh
@@ -29,4 +29,5 @@ for ((round = 0; round < rounds; round++)); do
     echo "grsh $ours s, POV-Ray $theirs s"
     awk "BEGIN { print $theirs / $ours }" >>ratios
 done
-sort -g ratios | awk '{ ratio[NR] = $1 } END { printf "POV-Ray / grsh: %.2f (%.2f to %.2f)\n", ratio[int((NR + 1) / 2)], ratio[1], ratio[NR] }'
+sort -g ratios | awk '{ ratio[NR] = $1 }
+    END { printf "POV-Ray / grsh: %.2f (%.2f to %.2f)\n", ratio[int((NR + 1) / 2)], ratio[1], ratio[NR] }'

@@ -47,40 +47,36 @@ kinds.pixels = numberWhere("a number of pixels, at least 1", function(x) return 
 kinds.angle = numberWhere("an angle between 0 and 180 degrees", function(x) return x > 0 and x < 180 end)
 kinds.factor = numberWhere("a number other than 0", function(x) return x ~= 0 end)
 
-local function exponent(name, value)
-    local x = kinds.number(name, value)
-    local kept = math.min(math.max(x, 0), 1e6)
-    if kept ~= x then
-        place.warn(check.now .. ": " .. name .. " " .. tcl.number(x) .. " becomes " .. tcl.number(kept), check.now .. name)
+-- A number that is cut off at most, and at 0, with a warning that says why.
+local function cutOff(most, why)
+    return function(name, value)
+        local x = kinds.number(name, value)
+        local kept = math.min(math.max(x, 0), most)
+        if kept ~= x then
+            local message = check.now .. ": " .. name .. " " .. tcl.number(x) .. " becomes " .. tcl.number(kept)
+            place.warn(message .. why, check.now .. name)
+        end
+        return kept
     end
-    return kept
 end
-kinds.exponent = exponent
+kinds.exponent = cutOff(1e6, "")
 
 -- Three numbers of one kind.
 local function tripleOf(kind, what)
     return function(name, value)
-        must(check.kindOf(value) == "table" and #value == 3, name, what or "{x, y, z}", value)
+        must(check.kindOf(value) == "table" and #value == 3, name, what, value)
         local kept = {}
         for i = 1, 3 do kept[i] = kind(name .. "[" .. i .. "]", value[i]) end
         return kept
     end
 end
-kinds.triple = tripleOf(kinds.number)
-kinds.light_colour = tripleOf(numberWhere("a number, at least 0", function(x) return x >= 0 end), "{r, g, b}")
+kinds.triple = tripleOf(kinds.number, "{x, y, z}")
+local notNegative = numberWhere("a number, at least 0", function(x) return x >= 0 end)
+kinds.light_colour = tripleOf(notNegative, "{r, g, b}")
 
-local function part(name, value)
-    local x = kinds.number(name, value)
-    local kept = math.min(math.max(x, 0), 1)
-    if kept ~= x then
-        place.warn(check.now .. ": " .. name .. " " .. tcl.number(x) .. " becomes " .. tcl.number(kept) ..
-            ": a surface reflects 0 to 1", check.now .. name)
-    end
-    return kept
-end
-kinds.reflectance = tripleOf(part, "{r, g, b}")
+kinds.reflectance = tripleOf(cutOff(1, ": a surface reflects 0 to 1"), "{r, g, b}")
 
-local falloff = tripleOf(numberWhere("a number, at least 0", function(x) return x >= 0 end), "{c0, c1, c2}")
+local falloff = tripleOf(notNegative, "{c0, c1, c2}")
 function kinds.falloff(name, value)
     local kept = falloff(name, value)
     must(kept[1] + kept[2] + kept[3] > 0, name, "other than all 0", value)

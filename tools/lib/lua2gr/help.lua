@@ -1,6 +1,6 @@
 return [[
-Runs a scene of the ray tracer of the University of Waterloo's course CS488/688 with lua5.4 and writes what it renders as
-a scene script, scene.gr in the current folder unless told otherwise.
+Runs a scene of the ray tracer of the University of Waterloo's course CS488/688 with lua5.4 and writes what it renders
+as a scene script, scene.gr in the current folder unless told otherwise.
 
     --force         replaces a script that is there already
     --order first   of a node's transforms the one that the scene calls first acts first, as in the course since 2015;

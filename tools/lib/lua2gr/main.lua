@@ -1,7 +1,7 @@
 -- What tools/lua2gr runs, in the scene's folder:
 --     main.lua SCENE FOLDER NAME OUT OUTFOLDER PART ORDER
--- SCENE is the scene as it was named, NAME its name in FOLDER, OUT the script to make, in OUTFOLDER; it is written to PART.
--- Folders are absolute. ORDER is which of a node's transforms acts first, first or last; empty: not told.
+-- SCENE is the scene as it was named, NAME its name in FOLDER, OUT the script to make, in OUTFOLDER; it is written to
+-- PART. Folders are absolute. ORDER is which of a node's transforms acts first, first or last; empty: not told.
 local folder = arg[0]:match("^(.*/)") or "./"
 
 -- Scenes have modules of their own: these are no modules that require() knows.
@@ -11,7 +11,8 @@ function loaded.use(name)
     return loaded[name]
 end
 
-local place, commands, script, older = loaded.use("place"), loaded.use("commands"), loaded.use("script"), loaded.use("older")
+local place, commands, older = loaded.use("place"), loaded.use("commands"), loaded.use("older")
+local script = loaded.use("script")
 place.setOwnFolder(folder)
 
 if arg[1] == "--help" then
@@ -57,12 +58,14 @@ end
 local body, problem = program()
 if not body then fail(problem) end
 run(body)
-if script.renders() == 0 then fail(scene .. ": gr.render is never called, so there is no picture to make a script of") end
+if script.renders() == 0 then
+    fail(scene .. ": gr.render is never called, so there is no picture to make a script of")
+end
 script.warnOfLeftOut()
 
 local file, done
 file, problem = io.open(part, "wb")
-if file then done, problem = file:write("# " .. name .. ", by tools/lua2gr.\n" .. script.text()) end
+if file then done, problem = file:write("# " .. name:gsub("%c", "?") .. ", by tools/lua2gr.\n" .. script.text()) end
 if done then done, problem = file:close() end
 if not done then fail('cannot write "' .. out .. '": ' .. problem) end
 print("lua2gr: " .. out .. ", of " .. script.count() .. " nodes")

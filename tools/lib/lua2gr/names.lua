@@ -22,8 +22,8 @@ function names.new(taken, wish, otherwise)
     return name
 end
 
--- Lua's materials and lights have no names: they are called by the variables that hold them. A dict of names by value, of
--- local variables of the functions that are running, outer ones before inner ones, and before these global ones.
+-- Lua's materials and lights have no names: they are called by the variables that hold them. A table of names by value:
+-- of local variables of the functions that are running, outer ones rather than inner ones, and rather global ones.
 function names.ofVariables(isWanted)
     local found = {}
     local function add(name, value)

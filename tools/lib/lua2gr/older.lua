@@ -18,8 +18,8 @@ function older.install(isToBeTold)
         local list, prefix, name, action = table.unpack(row)
         list[name] = function(...)
             if isToBeTold then
-                place.warn(prefix .. name .. " is Lua 5.1's, and so old are the scenes whose transforms act from the last " ..
-                    "to the first: if this is one, --order last; --order first says that it is not", "order")
+                place.warn(prefix .. name .. " is Lua 5.1's, and so old are the scenes whose transforms act from the " ..
+                    "last to the first: if this is one, --order last; --order first says that it is not", "order")
             end
             return action(...)
         end

@@ -143,7 +143,8 @@ local function addLights(lights, variables)
         if not name then
             name = names.new(state.lightNames, variables[light] or "light", "light")
             state.lights[light][times[light]] = name
-            add(state.lines, "gr_light", name, tcl.list(light.position), tcl.list(light.colour), tcl.list(light.falloff))
+            add(state.lines, "gr_light", name, tcl.list(light.position), tcl.list(light.colour),
+                tcl.list(light.falloff))
         end
         table.insert(called, name)
     end
@@ -181,8 +182,8 @@ function script.render(root, file, width, height, eye, view, up, fov, ambient, l
     end
     add(state.lines)
     local called = addLights(lights, tree.variables)
-    add(state.lines, "gr_render", path, pictureName(file), tcl.number(math.floor(width)), tcl.number(math.floor(height)),
-        tcl.list(eye), tcl.list(view), tcl.list(up), tcl.number(fov), tcl.list(ambient),
+    add(state.lines, "gr_render", path, pictureName(file), tcl.number(math.floor(width)),
+        tcl.number(math.floor(height)), tcl.list(eye), tcl.list(view), tcl.list(up), tcl.number(fov), tcl.list(ambient),
         "{" .. table.concat(called, " ") .. "} \\\n    antialiasing on")
     state.renders = state.renders + 1
 end

@@ -20,7 +20,7 @@ end
 function tcl.word(text)
     if text:find("^[%w_./+%-\x80-\xff]+$") then return text end
     if not text:find("[{}\\]") then return "{" .. text .. "}" end
-    return (text:gsub('[][{}\\"$; ]', "\\%0"))
+    return (text:gsub('[][{}\\"$;%s]', "\\%0"):gsub("\\\n", "\\n"))
 end
 
 return tcl
