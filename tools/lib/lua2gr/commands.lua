@@ -8,7 +8,7 @@ local Material, Light, Node = {kind = "material"}, {kind = "light"}, {kind = "no
 -- shape is the kind of shape, and words what stands behind its name in the script; a node without only holds others.
 local function node(name, shape, words)
     return script.note(setmetatable({name = name, shape = shape or false, words = words or false, children = {},
-        transforms = {}, turn = {}, material = false}, Node))
+        isParentOf = {}, transforms = {}, turn = {}, material = false}, Node))
 end
 
 local function shape(kind)
@@ -87,12 +87,11 @@ local methods = {
         if isBelow(self, child, {}) then
             place.fail('add_child: node "' .. self.name .. '" would contain itself')
         end
-        for _, known in ipairs(self.children) do
-            if known == child then
-                place.warn('add_child: "' .. child.name .. '" is a child of "' .. self.name .. '" already', child)
-                return
-            end
+        if self.isParentOf[child] then
+            place.warn('add_child: "' .. child.name .. '" is a child of "' .. self.name .. '" already', child)
+            return
         end
+        self.isParentOf[child] = true
         table.insert(self.children, child)
     end, {"child", "node"}},
     set_material = {function(self, material) self.material = material end, {"material", "material"}},

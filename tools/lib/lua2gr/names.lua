@@ -9,16 +9,17 @@ local function plain(wish)
     return (wish:gsub(kept, "_"):gsub("^[_.%-]+", ""):gsub("[_.%-]+$", ""))
 end
 
--- A name that is not in taken, and is then.
+-- A name that is not in taken, and is then: with the last number that was put behind it.
 function names.new(taken, wish, otherwise)
     local wished = plain(wish)
     if wished == "" then wished = otherwise end
-    local name, count = wished, 1
+    local name, count = wished, taken[wished] or 1
     while taken[name] do
         count = count + 1
         name = wished .. "_" .. count
     end
-    taken[name] = true
+    taken[wished] = count
+    taken[name] = taken[name] or 1
     return name
 end
 
