@@ -89,9 +89,8 @@ inline void readOption(std::vector<glm::dvec3>& values, Tcl_Obj* word, std::stri
 }
 inline void readOption(std::vector<core::Rgbf>& values, Tcl_Obj* word, std::string_view what, const core::Range& range,
                        std::span<const core::Word>) {
-    readList(values, word, what, "{r g b}", [&](Tcl_Obj* element, const std::string& name) {
-        values.push_back(core::Rgbf(vectorFrom(element, name, range)));
-    });
+    readList(values, word, what, "{r g b}",
+             [&](Tcl_Obj* element, const std::string& name) { values.push_back(colourFrom(element, name, range)); });
 }
 inline void readOption(std::vector<core::Vec2f>& values, Tcl_Obj* word, std::string_view what, const core::Range& range,
                        std::span<const core::Word>) {

@@ -137,8 +137,8 @@ void throwWrongWords() {
 
 std::vector<const Command*> allCommands() {
     std::vector<const Command*> commands;
-    for (const auto table : {shapeCommands(), meshCommands(), nodeCommands(), transformCommands(), materialCommands(), lightCommands(),
-                             renderCommands(), imageCommands(), statsCommands(), helpCommands()})
+    for (const auto table : {shapeCommands(), meshCommands(), nodeCommands(), transformCommands(), materialCommands(),
+                             lightCommands(), renderCommands(), imageCommands(), statsCommands(), helpCommands()})
         for (const Command& command : table) commands.push_back(&command);
     return commands;
 }

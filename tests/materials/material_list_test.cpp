@@ -63,6 +63,16 @@ struct IsWithin {
     bool operator()(const std::optional<core::Weights>& weights) const {
         return !weights || std::all_of(weights->begin(), weights->end(), [&](float w) { return range.contains(w); });
     }
+    bool operator()(const std::optional<glm::dvec3>& v) const {
+        return !v || (range.contains(v->x) && range.contains(v->y) && range.contains(v->z));
+    }
+    template<class Element>
+    bool operator()(const std::vector<Element>& list) const {
+        return std::all_of(list.begin(), list.end(), *this);
+    }
+    bool operator()(const glm::dvec3& v) const {
+        return range.contains(v.x) && range.contains(v.y) && range.contains(v.z);
+    }
     bool operator()(core::Word) const { return true; }
     bool operator()(const core::WordList&) const { return true; }
 };
