@@ -95,7 +95,9 @@ inline void readOption(std::vector<core::Rgbf>& values, Tcl_Obj* word, std::stri
 inline void readOption(std::vector<core::Vec2f>& values, Tcl_Obj* word, std::string_view what, const core::Range& range,
                        std::span<const core::Word>) {
     readList(values, word, what, "{u v}", [&](Tcl_Obj* element, const std::string& name) {
-        readOption(values.emplace_back(), element, name, range, {});
+        std::array<double, 2> uv;
+        numbersFrom(element, name, range, uv);
+        values.emplace_back(static_cast<float>(uv[0]), static_cast<float>(uv[1]));
     });
 }
 // Scaled to sum to 1.

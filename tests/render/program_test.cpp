@@ -190,11 +190,12 @@ TEST_F(Program, SaysInThePictureWhatMadeIt) {
         testing::UnorderedElementsAre(
             Pair("Scene", "scene.gr"), Pair("grsh:node", ":"), Pair("grsh:width", "30"), Pair("grsh:height", "20"),
             Pair("grsh:eye", "0 0 6"), Pair("grsh:view", "0 0.25 -2"), Pair("grsh:up", "0 1 0"), Pair("grsh:fov", "50"),
-            Pair("grsh:ambient", "0.1 0.2 0.3"), Pair("grsh:lights", "bulb"), Pair("grsh:accelerator", "off"),
+            Pair("grsh:ambient", "0.1 0.2 0.3"), Pair("grsh:lights", "bulb"), Pair("grsh:accelerator", "auto"),
             Pair("grsh:globalillumination", "on"), Pair("grsh:antialiasing", "on"), Pair("grsh:pathlength", "3"),
             Pair("grsh:depthoffield", "off"), Pair("grsh:focaldistance", "1"), Pair("grsh:aperture", "0.1"),
-            Pair("grsh:startline", "0"), Pair("grsh:stopline", "12"), Pair("grsh:samplesperpixel", "3"),
-            Pair("grsh:samplesperlightsource", "2"), Pair("grsh:integrator", "path"),
+            Pair("grsh:projection", "perspective"), Pair("grsh:curve", "srgb"), Pair("grsh:startcolumn", "0"),
+            Pair("grsh:stopcolumn", "29"), Pair("grsh:startline", "0"), Pair("grsh:stopline", "12"),
+            Pair("grsh:samplesperpixel", "3"), Pair("grsh:samplesperlightsource", "2"), Pair("grsh:integrator", "path"),
             Pair("grsh:seed", "9223372036854775807"), Pair("grsh:background", "0 0.25 1e-06"),
             Pair("grsh:exposure", "-0.5"), Pair("grsh:stopped", "samplesperpixel")));
 }
