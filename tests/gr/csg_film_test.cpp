@@ -1,7 +1,7 @@
 // Where surfaces of two operands coincide nothing is left between them, and one of them is met, always the same: turned
 // and moved, so that rounding decides which comes first. Seen to fail without the look ahead for what ends within
-// rounding, with one that does not ask whether the surfaces are parallel (the wedges), and where the nearer of two
-// surfaces is taken in place of the one made first.
+// rounding, with one that does not ask whether the surfaces are parallel (the wedges), where the nearer of two surfaces
+// is taken in place of the one made first, and where the error bound of an operand is its own alone.
 #include "gr/convex_places.h"
 #include "gr/random_shapes.h"
 #include "gr/scene.h"
@@ -40,6 +40,16 @@ public:
         const std::optional<Hit> hit = accelerator_->intersect({origin, Vec3f(transformed(matrix_, to)) - origin});
         if (!hit) return -1;
         return static_cast<int>(std::find(operands_.begin(), operands_.end(), hit->instance) - operands_.begin());
+    }
+
+    // Whether a ray that leaves what is met, to the side from which it was met, meets nothing more.
+    bool isLeftFreely(const glm::dvec3& from, const glm::dvec3& to, support::TestRandom& random) const {
+        const Vec3f origin(transformed(matrix_, from));
+        const Rayf ray{origin, Vec3f(transformed(matrix_, to)) - origin};
+        const std::optional<Hit> hit = accelerator_->intersect(ray);
+        if (!hit) return false;
+        const SurfacePoint surface = scene_.surfaceAt(ray, *hit);
+        return !accelerator_->intersect({surface.offset(surface.normal), leave(surface.normal, random)});
     }
 
 private:
@@ -166,6 +176,23 @@ TEST(CsgFilm, OfSurfacesThatLookTheSameWayTheFirstMadeIsMet) {
             from.z = 4;
             to.z = -2;
             EXPECT_EQ(placed.operandMet(from, to), 1);
+        });
+}
+
+// Of two fronts in one plane one is of a block a thousand times as large, which rounding moves farther: a step off the
+// small one's leads beyond both.
+TEST(CsgFilm, BothAreLeftAtOnce) {
+    inManyPlaces(
+        [](Database& database, const std::string& place) {
+            const std::string both = database.create(place, "u", UnionNode{}).path();
+            database.create(both, "small", BoxNode{{-1, -1, -1}, {2, 2, 2}});
+            database.create(both, "large", BoxNode{{-2000, -2000, -3999}, {4000, 4000, 4000}});
+        },
+        [](const Placed& placed, support::TestRandom& random) {
+            glm::dvec3 from = randomPoint(random, -0.8, 0.8), to = from + 0.1 * randomPoint(random, -1, 1);
+            from.z = 4;
+            to.z = 0;
+            EXPECT_TRUE(placed.isLeftFreely(from, to, random));
         });
 }
 

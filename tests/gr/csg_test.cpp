@@ -1,7 +1,7 @@
 // CSG objects against an oracle that knows places only: along a ray the whole is entered and left where the tracer says
 // so, and nowhere else. GRSH_TEST_RAYS=30 traces 10^6 rays. Seen to fail where an operand's surface is taken from the
-// side on which the ray starts, where a mesh's winding is not counted to the end of the line, where a difference counts
-// its first child as cut off, and with mirrored operands that are turned inside out.
+// side on which the ray starts, where a mesh does not tell that the ray starts in it or is left where it is entered,
+// where a difference counts its first child as cut off, and where cuts in cuts look the wrong way.
 #include "gr/accelerator_checks.h"
 #include "gr/random_csg.h"
 #include "support/test_random.h"

@@ -1,8 +1,7 @@
 // Light on and in solids made of solids, with each integrator: Beer's law along the parts of a ray that are in the
-// glass, what the eye is inside of, and the same picture as of a mesh of the same shape.
-// Seen to fail with operands that count for the eye by themselves, with the interior of an operand that cuts left
-// unentered, with normals of cut faces that look into the solid, and with glass that does not grow where an operand
-// stands on the floor.
+// glass, what the eye is inside of, and the same picture as of a mesh of the same shape. Seen to fail with operands
+// that count by themselves for the eye or for the lens, with crossings that only leave, and with glass that does not
+// grow where an operand stands on the floor.
 #include "render/converges.h"
 #include "render/each_integrator.h"
 #include "render/same_light.h"
@@ -70,6 +69,9 @@ TEST_P(CsgGlass, IsKnownAllOverTheLens) {
     const core::Rgbf hollow = radiometer.sample({{0.4f, 0, 0}, {1, 0, 0}}, 1, 0);
     EXPECT_TRUE(isNear(in, left(0.4)));
     EXPECT_TRUE(isNear(hollow, left(0.5)));
+    // And with the eye in the glass.
+    const Radiometer fromGlass(scene, {0.6, 0, 0});
+    EXPECT_TRUE(isNear(fromGlass.sample({{0.4f, 0, 0}, {1, 0, 0}}, 1, 0), left(0.5)));
 }
 
 // Cut flat, on a floor that it touches: light that enters it finds the floor, not what is below. With the floor made

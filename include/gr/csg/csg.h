@@ -37,7 +37,6 @@ public:
     // Those that have an end, and those that have none.
     const ObjectTree& bounded() const { return *bounded_; }
     std::span<const std::uint32_t> endless() const { return endless_; }
-    // Whether the whole line must be known to tell whether a ray starts inside of an operand.
     bool hasMeshes() const { return hasMeshes_; }
     // Surfaces of two operands that are nearer to each other than this are one.
     float tolerance() const { return tolerance_; }

@@ -60,13 +60,11 @@ public:
     // Puts those that lie ahead into `found`, in their order; beyond `end` they need not be there.
     void find(const core::Rayf& ray, float end) {
         found_.clear();
-        // Of a mesh the whole line tells whether the ray starts inside.
-        const float reach = csg_.hasMeshes() ? core::infinity : end;
         const WideTree& tree = csg_.bounded().objects();
         const BoxRay<Lanes> boxRay(ReadyRay(ray), tree.slack(core::largestComponent(ray.origin)));
         const core::Ray<Lanes> everywhere{core::broadcast<Lanes>(ray.origin), core::broadcast<Lanes>(ray.direction),
                                           Lanes(core::infinity)};
-        walkTree(tree.root(), boxRay, reach, [&](const void* leaf) {
+        walkTree(tree.root(), boxRay, end, [&](const void* leaf) {
             const auto& pack = *static_cast<const ObjectPack*>(leaf);
             counts_.tests += pack.count;
             return visitPack(pack, [&](const auto& one) {
@@ -104,7 +102,9 @@ private:
         const TriangleRay<Lanes, UniformAxes> lanesRay(triangleRay);
         const BoxRay<Lanes> boxRay(ReadyRay(own), pack.tree->slack(core::largestComponent(own.origin)));
         const float endless = core::infinity;
-        int inside = 0;  // how many times more the way leaves than it enters
+        // How many times more the whole way leaves than it enters: so often it starts inside. A mesh that holds the
+        // start is never beyond the end.
+        int inside = 0;
         walkTree(pack.tree->root(), boxRay, endless, [&](const void* at) {
             const auto& leaf = *static_cast<const TriangleLeaf*>(at);
             counts_.tests += treeWidth;
