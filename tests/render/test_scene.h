@@ -60,8 +60,10 @@ public:
     explicit Radiometer(const TestScene& scene, const glm::dvec3& eye = {0, 0, 0})
         : scene_(gr::compile(scene.database, ":", scene.pointLights)),
           accelerator_(gr::makeNoAccelerator(scene_)),
-          integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient, core::Vec3f(eye))),
-          path_(makePathIntegrator(scene_, *accelerator_, scene.settings, scene.ambient, core::Vec3f(eye))) {}
+          integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient,
+                                           startsOf(scene.settings, core::Vec3f(eye)))),
+          path_(makePathIntegrator(scene_, *accelerator_, scene.settings, scene.ambient,
+                                   startsOf(scene.settings, core::Vec3f(eye)))) {}
     Radiometer(const Radiometer&) = delete;
     Radiometer& operator=(const Radiometer&) = delete;
 
@@ -85,6 +87,12 @@ public:
     }
 
 private:
+    // All over a lens round the eye, in whatever direction it looks.
+    static RayStarts startsOf(const RenderSettings& settings, const core::Vec3f& eye) {
+        if (!settings.depthOfField) return eye;
+        return {eye, core::Bounds{eye, eye}.widened(static_cast<float>(settings.aperture))};
+    }
+
     std::vector<core::Rgbf> samples(const core::Rayf& ray, std::uint64_t seed, int first, int count) const {
         Samples samples;
         samples.radiance.resize(static_cast<std::size_t>(count));
