@@ -1,7 +1,6 @@
 #include "core/memory.h"
-#include "gr/accelerators/object_tree.h"
 #include "gr/contacts.h"
-#include "gr/csg/closed.h"
+#include "gr/csg/csg_builder.h"
 #include "gr/database/database.h"
 #include "gr/database/object_count.h"
 #include "gr/far_places.h"
@@ -32,32 +31,9 @@ void checkMemory(const Node& top, double objects) {
                               " of memory; " + core::memoryText(available) + " are free");
 }
 
-std::optional<CsgOperation> operationOf(const NodeContent& content) {
-    return std::visit(
-        []<class Content>(const Content&) -> std::optional<CsgOperation> {
-            if constexpr (IsCsgNode<Content>)
-                return Content::operation;
-            else
-                return std::nullopt;
-        },
-        content);
-}
-
 // Whether a node shows nothing but what it holds.
 bool isInner(const NodeContent& content) {
     return std::holds_alternative<TransformNode>(content) || operationOf(content);
-}
-
-bool mayBeSolid(const NodeContent& content) {
-    if (std::holds_alternative<PolyhedronNode>(content)) return true;
-    return std::visit(
-        []<class Content>(const Content& node) {
-            if constexpr (CompleteShapeNode<Content>)
-                return decltype(node.shape())::isSolid;
-            else
-                return false;
-        },
-        content);
 }
 
 class Compiler {
@@ -85,15 +61,6 @@ public:
     const FarPlaces& farPlaces() const { return far_; }
 
 private:
-    // A CSG object of which not all operands are known.
-    struct OpenCsg {
-        OpenCsg(const Node* node, std::uint32_t first) : node(node), first(first) {}
-
-        const Node* node;  // its top
-        std::uint32_t first;  // its first operand's instance
-        CsgTree tree;
-    };
-
     // A node still to be looked at, with what comes from above. No node: that the CSG object is complete.
     struct Visit {
         const Node* node;
@@ -104,7 +71,7 @@ private:
     };
 
     void expand(const Visit& visit) {
-        if (visit.node == nullptr) return finishCsg();
+        if (visit.node == nullptr) return addCsg();
         const Node& node = *visit.node;
         const glm::dmat4 matrix = node.matrix ? visit.parentMatrix * *node.matrix : visit.parentMatrix;
         const NamedMaterial* material = node.material != nullptr ? node.material : visit.parentMaterial;
@@ -119,84 +86,36 @@ private:
         } else if (!isInner(node.content)) {
             const glm::dmat4 place =
                 std::visit([&](const auto& content) { return add(content, matrix); }, node.content);
-            if (csg != CsgTree::none) addOperand(node, csg);
+            if (csg != CsgTree::none) csg_.addOperand(node, csg);
             finish(node, material, place);
         }
     }
 
-    // The node of a CSG object's tree whose children the node's are, or none. Whatever may have several is the union of
-    // them.
+    // The node of a CSG object's tree whose children the node's are, and itself, or none. Whatever may be several
+    // solids, or nothing, is the union of them.
     std::uint32_t csgNode(const Node& node, std::uint32_t parent) {
         const std::optional<CsgOperation> operation = operationOf(node.content);
         if (operation && parent == CsgTree::none) {
-            csg_.emplace(&node, static_cast<std::uint32_t>(scene_.instances.size()));
+            csg_.begin(node);
             open_.push_back({});
-        } else if (parent == CsgTree::none) {
+        } else if (parent == CsgTree::none || isOne(node)) {
             return parent;
         }
-        return csg_->tree.addNode(parent, operation.value_or(CsgOperation::isUnion));
+        return csg_.addNode(parent, operation.value_or(CsgOperation::isUnion));
     }
-
-    void addOperand(const Node& node, std::uint32_t parent) {
-        checkSolid(node);
-        csg_->tree.addOperand(parent);
-        Instance& instance = scene_.instances.back();
-        instance.isOperand = 1;
-        instance.isInverted = csg_->tree.isInverted(csg_->tree.operandCount() - 1);
-    }
-
-    void checkSolid(const Node& node) {
-        if (!mayBeSolid(node.content))
-            throw core::Error(
-                "CSG", "SOLID", node.path(),
-                "\"" + node.path() + "\" is no solid and cannot be an operand of \"" + csg_->node->path() + "\"");
-        const auto* mesh = std::get_if<PolyhedronNode>(&node.content);
-        if (mesh == nullptr || !checkedMeshes_.insert(mesh->polyhedron.get()).second) return;
-        if (const std::size_t open = openEdges(*mesh->polyhedron); open > 0)
-            throw core::Error("CSG", "OPEN", node.path(),
-                              "\"" + node.path() +
-                                  "\" is not closed, so it is no solid and cannot be an operand of \"" +
-                                  csg_->node->path() + "\": " + std::to_string(open) +
-                                  (open == 1 ? " edge is" : " edges are") + " open");
+    bool isOne(const Node& node) const {
+        if (const auto* instance = std::get_if<InstanceNode>(&node.content))
+            return node.firstChild == nullptr && objects_.at(instance->target) > 0;
+        return node.firstChild == nullptr && !isInner(node.content);
     }
 
     // Its operands are the newest instances.
-    void finishCsg() {
-        const OpenCsg open = std::move(*csg_);
-        csg_.reset();
-        ++csgCount_;
-        if (open.tree.operandCount() == 0) return;
-        CsgTree tree = open.tree;
-        tree.finish();
-        auto csg = std::make_unique<Csg>(std::move(tree), open.first);
-        csg->place(scene_);
-        if (csg->bounds().isEmpty()) return;
-        if (!std::isfinite(csg->bounds().reach()))
-            throw core::Error(
-                "CSG", "ENDLESS", open.node->path(),
-                "\"" + open.node->path() +
-                    "\" has no end: what a plane bounds must be cut off by an operand that has one, as in "
-                    "a gr_intersection with a box");
-        const std::uint32_t material = materialInside(open);
+    void addCsg() {
+        std::unique_ptr<Csg> csg = csg_.finish([&](std::uint32_t material) { return nameOf(material); });
+        if (csg == nullptr) return;
         addInstance(csg.get(), glm::dmat4(1));
-        scene_.instances.back().material = material;
+        scene_.instances.back().material = csg_.materialInside();
         scene_.csgs.push_back(std::move(csg));
-    }
-
-    // The one that has an interior, if any has.
-    std::uint32_t materialInside(const OpenCsg& open) const {
-        std::uint32_t inside = scene_.instances[open.first].material;
-        for (std::size_t i = open.first; i < scene_.instances.size(); ++i) {
-            const std::uint32_t material = scene_.instances[i].material;
-            if (!scene_.interiors[material] || material == inside) continue;
-            if (scene_.interiors[inside])
-                throw core::Error("CSG", "INTERIORS", open.node->path(),
-                                  "\"" + open.node->path() + "\" has operands of two transparent materials, " +
-                                      nameOf(inside) + " and " + nameOf(material) +
-                                      ", but one solid can hold only one");
-            inside = material;
-        }
-        return inside;
     }
     std::string nameOf(std::uint32_t material) const {
         for (const auto& [named, index] : materialIndex_)
@@ -248,7 +167,7 @@ private:
         far_.note(node, instance.shape, place);
         if (hasInteriors_ && flat_.size() < mostFlatObjects && hasFlatSides(instance.shape) && !instance.isInverted)
             flat_.push_back({static_cast<std::uint32_t>(scene_.instances.size() - 1), place, &node,
-                             instance.isOperand ? csgCount_ : ofNoCsg});
+                             instance.isOperand ? csg_.count() : ofNoCsg});
     }
 
     void addMaterial(const materials::Material& material) {
@@ -265,9 +184,7 @@ private:
     std::vector<Visit> open_;
     std::unordered_map<const NamedMaterial*, std::uint32_t> materialIndex_;
     std::unordered_set<const Polyhedron*> polyhedra_;
-    std::optional<OpenCsg> csg_;
-    std::uint32_t csgCount_ = 0;  // of those that are complete
-    std::unordered_set<const Polyhedron*> checkedMeshes_;  // those that are closed
+    CsgBuilder csg_{scene_};
 };
 
 constexpr std::size_t mostWarnings = 8;
@@ -285,15 +202,6 @@ std::vector<core::Bounds> boundsOf(const Scene& scene) {
     std::transform(scene.instances.begin(), scene.instances.end(), boxes.begin(),
                    [](const Instance& instance) { return instance.bounds(); });
     return boxes;
-}
-
-// When all operands stand where they stay.
-void finishCsgs(Scene& scene, std::vector<core::Bounds>& boxes) {
-    if (scene.csgs.empty()) return;
-    scene.operandMeshes = std::make_shared<MeshTrees>(nullptr);
-    for (const auto& csg : scene.csgs) csg->finish(scene, *scene.operandMeshes);
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (std::holds_alternative<const Csg*>(scene.instances[i].shape)) boxes[i] = scene.instances[i].bounds();
 }
 
 }  // namespace

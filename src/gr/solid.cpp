@@ -89,14 +89,10 @@ void addCsgCrossings(const Scene& scene, const Csg& csg, const core::Rayf& ray, 
         for (const SolidCrossing& crossing : ofOne) all.push_back({crossing, i});
     }
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
-    std::vector<std::int32_t> counted, windings(csg.operandCount(), 0);
-    CsgState state(csg.tree(), counted);
-    const auto cross = [&](const CsgSolidCrossing& crossing) {
-        std::int32_t& winding = windings[crossing.operand];
-        const bool before = winding > 0;
-        winding += crossing.enters ? 1 : -1;
-        if (before != (winding > 0)) state.cross(crossing.operand, !before);
-    };
+    CsgState::Room room;
+    room.fit(csg.tree());
+    CsgState state(csg.tree(), room);
+    const auto cross = [&](const CsgSolidCrossing& crossing) { state.cross(crossing.operand, crossing.enters); };
     std::size_t next = 0;
     for (; next < all.size() && all[next].t <= 0; ++next) cross(all[next]);
     for (; next < all.size() && all[next].t <= double{ray.tMax}; ++next) {

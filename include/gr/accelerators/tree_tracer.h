@@ -49,15 +49,11 @@ private:
         return {core::broadcast<Lanes>(ray.origin), core::broadcast<Lanes>(ray.direction), Lanes(ray.tMax)};
     }
 
-    BoxRay<Lanes> objectsRay(const core::Rayf& ray) const { return boxRay(objects_, ReadyRay(ray)); }
-    static BoxRay<Lanes> boxRay(const WideTree& tree, const ReadyRay& ray) {
-        const core::LaneArray<ReadyRay::Row> origin(core::abs(ray.origin));
-        return {ray, tree.slack(core::max(core::max(origin[0], origin[1]), origin[2]))};
-    }
+    BoxRay<Lanes> objectsRay(const core::Rayf& ray) const { return boxRayFor<Lanes>(objects_, ReadyRay(ray)); }
 
     static MeshRay<Lanes> meshRay(const core::Rayf& worldRay, const MeshPack& mesh) {
         const core::Rayf ray = mesh.place.toObject(worldRay);
-        return {boxRay(*mesh.tree, ReadyRay(ray)), TriangleRay<Lanes, UniformAxes>(TriangleRay<float>(ray))};
+        return {boxRayFor<Lanes>(*mesh.tree, ReadyRay(ray)), TriangleRay<Lanes, UniformAxes>(TriangleRay<float>(ray))};
     }
 
     // Calls visit(pack) for the packs near the ray, until it returns true; returns whether it did.

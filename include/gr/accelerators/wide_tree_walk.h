@@ -84,6 +84,13 @@ private:
     Lanes inverse_[3], near_[3], far_[3];
 };
 
+// A ray made ready for a tree.
+template<class Lanes>
+BoxRay<Lanes> boxRayFor(const WideTree& tree, const ReadyRay& ray) {
+    const core::LaneArray<ReadyRay::Row> origin(core::abs(ray.origin));
+    return {ray, tree.slack(core::max(core::max(origin[0], origin[1]), origin[2]))};
+}
+
 // Asks the memory for a child before it is looked at. Inlined, since GCC takes a call that only does this for one that
 // does nothing.
 [[gnu::always_inline]] inline void prefetch(TreeReference child) {

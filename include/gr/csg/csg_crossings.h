@@ -4,6 +4,7 @@
 
 #include "gr/accelerators/mesh_tracer.h"
 #include "gr/accelerators/object_tree.h"
+#include "gr/mesh/edge_side.h"
 
 #include <algorithm>
 
@@ -42,15 +43,6 @@ inline void sortCrossings(std::vector<CsgCrossing>& crossings) {
               [](const CsgCrossing& a, const CsgCrossing& b) { return a.isBefore(b); });
 }
 
-// Which side of an edge a ray passes on: 1 to its left, -1 to its right, 0 where it is seen end-on. As MeshLine has it,
-// one through an edge or a vertex so crosses just one of the triangles there. a, b: the edge's ends across the ray.
-inline int sideOfEdge(const core::Vec2f& a, const core::Vec2f& b) {
-    const auto sign = [](double x, double y) { return x > y ? 1 : x < y ? -1 : 0; };
-    if (const int side = sign(double{a.x} * b.y, double{a.y} * b.x)) return side;
-    if (const int side = sign(a.y, b.y)) return side;
-    return sign(b.x, a.x);
-}
-
 template<class Lanes>
 class CsgCrossings {
 public:
@@ -61,7 +53,7 @@ public:
     void find(const core::Rayf& ray, float end) {
         found_.clear();
         const WideTree& tree = csg_.bounded().objects();
-        const BoxRay<Lanes> boxRay(ReadyRay(ray), tree.slack(core::largestComponent(ray.origin)));
+        const BoxRay<Lanes> boxRay = boxRayFor<Lanes>(tree, ReadyRay(ray));
         const core::Ray<Lanes> everywhere{core::broadcast<Lanes>(ray.origin), core::broadcast<Lanes>(ray.direction),
                                           Lanes(core::infinity)};
         walkTree(tree.root(), boxRay, end, [&](const void* leaf) {
@@ -100,7 +92,7 @@ private:
         const core::Rayf own = pack.place.toObject(core::Rayf{ray.origin, ray.direction, core::infinity});
         const TriangleRay<float> triangleRay(own);
         const TriangleRay<Lanes, UniformAxes> lanesRay(triangleRay);
-        const BoxRay<Lanes> boxRay(ReadyRay(own), pack.tree->slack(core::largestComponent(own.origin)));
+        const BoxRay<Lanes> boxRay = boxRayFor<Lanes>(*pack.tree, ReadyRay(own));
         const float endless = core::infinity;
         // How many times more the whole way leaves than it enters: so often it starts inside. A mesh that holds the
         // start is never beyond the end.
@@ -131,8 +123,7 @@ private:
     static int sideOf(const TriangleRay<float>& ray, const TriangleLeaf& leaf, int place) {
         core::Vec2f corner[3];
         for (int i = 0; i < 3; ++i) corner[i] = ray.sheared(ray.axes.permute(leaf.triangles.corner(place, i)));
-        const int side = sideOfEdge(corner[0], corner[1]);
-        return sideOfEdge(corner[1], corner[2]) == side && sideOfEdge(corner[2], corner[0]) == side ? side : 0;
+        return sideOfTriangle(corner[0], corner[1], corner[2]);
     }
 
     void addEndless(const core::Rayf& ray, std::uint32_t i) {

@@ -20,7 +20,7 @@ class CsgTracer {
 public:
     CsgTracer(const Scene& scene, const Csg& csg, TraversalCounts& counts)
         : scene_(scene), csg_(csg), counts_(counts), room_(ownRoom()) {
-        if (room_.windings.size() < csg.operandCount()) room_.windings.resize(csg.operandCount(), 0);
+        room_.state.fit(csg.tree());
     }
 
     // Replaces `nearest` by what comes before it.
@@ -45,17 +45,16 @@ private:
     // Lists that each thread uses again and again.
     struct Room {
         std::vector<CsgCrossing> crossings;
-        std::vector<std::int32_t> counted;
-        std::vector<std::int32_t> windings;  // how many times the way is inside of an operand; 0 between two rays
+        CsgState::Room state;
     };
 
     // The way along a ray.
     class Way {
     public:
         Way(const Scene& scene, const Csg& csg, const core::Rayf& ray, Room& room)
-            : scene_(scene), csg_(csg), ray_(ray), room_(room), state_(csg.tree(), room.counted) {}
+            : scene_(scene), csg_(csg), ray_(ray), room_(room), state_(csg.tree(), room.state) {}
         ~Way() {
-            for (const CsgCrossing& crossing : room_.crossings) room_.windings[operandAt(crossing)] = 0;
+            for (const CsgCrossing& crossing : room_.crossings) state_.forget(operandAt(crossing));
         }
 
         // The first, if it is not beyond `last`, nor where the ray ends.
@@ -86,12 +85,7 @@ private:
         const std::vector<CsgCrossing>& crossings() const { return room_.crossings; }
         std::size_t operandAt(const CsgCrossing& crossing) const { return crossing.hit.instance - csg_.firstOperand(); }
 
-        void cross(std::size_t i) {
-            std::int32_t& winding = room_.windings[operandAt(crossings()[i])];
-            const bool before = winding > 0;
-            winding += crossings()[i].enters ? 1 : -1;
-            if (before != (winding > 0)) state_.cross(operandAt(crossings()[i]), !before);
-        }
+        void cross(std::size_t i) { state_.cross(operandAt(crossings()[i]), crossings()[i].enters); }
 
         // A ray along a surface comes out of what rounding leaves of it only after a long way. Up to this slope it is
         // counted as what it is.

@@ -64,21 +64,44 @@ private:
 // What the whole holds on the way along a ray, as it goes into operands and out of them.
 class CsgState {
 public:
-    // Far away. counted: room for it to work with.
-    CsgState(const CsgTree& tree, std::vector<std::int32_t>& counted) : tree_(tree), counted_(counted) {
-        counted_ = tree.farAway_;
+    // What it works with, to be used again and again: lists that it leaves as it finds them.
+    struct Room {
+        std::vector<std::int32_t> counted;  // of each node's children
+        std::vector<std::int32_t> windings;  // how many times the way is inside of an operand; 0 between two ways
+
+        void fit(const CsgTree& tree) {
+            if (windings.size() < tree.operandCount()) windings.resize(tree.operandCount(), 0);
+        }
+    };
+
+    // Far away. The room must fit the tree.
+    CsgState(const CsgTree& tree, Room& room) : tree_(tree), room_(room) {
+        room_.counted = tree.farAway_;
         isInside_ = holds(0);
     }
 
     bool isInside() const { return isInside_; }
-    // Goes into an operand that the way was out of, or out of one that it was in.
+    // Goes into an operand, or out of it. A mesh may be entered before it is left.
     void cross(std::size_t operand, bool enters) {
+        std::int32_t& winding = room_.windings[operand];
+        const bool before = winding > 0;
+        winding += enters ? 1 : -1;
+        if (before != (winding > 0)) turn(operand, !before);
+    }
+    // To be called of each operand that was crossed, when the way is at its end.
+    void forget(std::size_t operand) { room_.windings[operand] = 0; }
+
+private:
+    bool holds(std::uint32_t node) const { return room_.counted[node] >= tree_.nodes_[node].enough; }
+
+    // The way is now inside of an operand that it was outside of, or the other way round.
+    void turn(std::size_t operand, bool isIn) {
         const CsgTree::Link* link = &tree_.operands_[operand];
-        bool isMore = enters != link->isComplement;
+        bool isMore = isIn != link->isComplement;
         // As long as nodes change with it, their parents must be told.
         for (std::uint32_t node = link->parent;; node = link->parent) {
             const bool before = holds(node);
-            counted_[node] += isMore ? 1 : -1;
+            room_.counted[node] += isMore ? 1 : -1;
             const bool after = holds(node);
             if (before == after) return;
             if (node == 0) {
@@ -90,11 +113,8 @@ public:
         }
     }
 
-private:
-    bool holds(std::uint32_t node) const { return counted_[node] >= tree_.nodes_[node].enough; }
-
     const CsgTree& tree_;
-    std::vector<std::int32_t>& counted_;  // of each node's children
+    Room& room_;
     bool isInside_;
 };
 

@@ -1,6 +1,7 @@
 // Where a line crosses a mesh.
 #pragma once
 
+#include "gr/mesh/edge_side.h"
 #include "gr/mesh/polyhedron.h"
 
 #include <algorithm>
@@ -42,9 +43,7 @@ struct Line {
 };
 
 // A line made ready to be tested against triangles. Space is sheared so that it becomes the last axis, as TriangleRay
-// does it; but a line through an edge or a vertex must cross just one of the triangles there. So where it runs through
-// an edge, it is taken to pass by a little further along x, and by far less along y: for each edge that is one and the
-// same side in all triangles that share it.
+// does it; but a line through an edge or a vertex must cross just one of the triangles there: see sideOfEdge.
 class MeshLine {
 public:
     explicit MeshLine(const Line& line)
@@ -59,8 +58,8 @@ public:
         const Vertex a(*this, mesh.vertex(triangle, 0));
         const Vertex b(*this, mesh.vertex(triangle, 1));
         const Vertex c(*this, mesh.vertex(triangle, 2));
-        const int side = sideOf(a, b);
-        if (side == 0 || sideOf(b, c) != side || sideOf(c, a) != side) return;
+        const int side = sideOfTriangle(a.across, b.across, c.across);
+        if (side == 0) return;
         const bool enters = (side > 0) != (direction_.z > 0);
         const double t = meet(a, b, c);
         // On the surface is outside.
@@ -71,24 +70,14 @@ private:
     struct Vertex {
         glm::dvec3 place;  // permuted
         glm::dvec3 way;  // to there from the line's origin
-        // Across the line. Rounded to floats, alike for all triangles that share the vertex: the products of two are
-        // exact then.
-        double x, y;
+        core::Vec2f across;  // the line
 
         Vertex(const MeshLine& line, const core::Vec3f& v)
             : place(line.axes_.permute(glm::dvec3(v))),
               way(place - line.origin_),
-              x(static_cast<float>(way.x - line.slopeX_ * way.z)),
-              y(static_cast<float>(way.y - line.slopeY_ * way.z)) {}
+              across(static_cast<float>(way.x - line.slopeX_ * way.z),
+                     static_cast<float>(way.y - line.slopeY_ * way.z)) {}
     };
-
-    // On which side of an edge the line passes: 1 to its left, -1 to its right, 0 where it is seen end-on.
-    static int sideOf(const Vertex& a, const Vertex& b) {
-        const auto sign = [](double x, double y) { return x > y ? 1 : x < y ? -1 : 0; };
-        if (const int side = sign(a.x * b.y, a.y * b.x)) return side;
-        if (const int side = sign(a.y, b.y)) return side;
-        return sign(b.x, a.x);
-    }
 
     // Of the triangle's plane; where that is nearly along the line, still between the first and the last vertex.
     double meet(const Vertex& a, const Vertex& b, const Vertex& c) const {
