@@ -1,7 +1,7 @@
 // What the rays of many paths meet of a scene's objects where every ray is tested against every object.
 #pragma once
 
-#include "gr/accelerators/lane_rays.h"
+#include "gr/csg/csg_lane_tracer.h"
 #include "gr/mesh/polyhedron_surface.h"
 #include "gr/scene.h"
 
@@ -75,14 +75,14 @@ public:
 
 private:
     // Where two surfaces coincide the one made first is hit: see Hit::isBefore.
-    static Mask isBefore(const Real& t, std::uint32_t instance, const HitOf<Real>& nearest) {
+    static Mask isBefore(const Real& t, const UInt& instance, const HitOf<Real>& nearest) {
         const Mask isTie = (t == nearest.t) & (t < Real(core::infinity));
         if (!core::any(isTie)) return t < nearest.t;
-        return (t < nearest.t) | (isTie & core::isLess(UInt(instance), nearest.instance));
+        return (t < nearest.t) | (isTie & core::isLess(instance, nearest.instance));
     }
 
     static void offer(const Real& t, std::uint32_t instance, HitOf<Real>& nearest) {
-        const Mask isNearer = isBefore(t, instance, nearest);
+        const Mask isNearer = isBefore(t, UInt(instance), nearest);
         if (core::any(isNearer)) replace(isNearer, {t, UInt(instance)}, nearest);
     }
     static void replace(const Mask& here, const HitOf<Real>& found, HitOf<Real>& nearest) {
@@ -93,12 +93,22 @@ private:
         nearest.triangle = core::selectUInt<Real>(here, found.triangle, nearest.triangle);
     }
 
+    void nearestOf(const core::Ray<Real>& ray, const Mask& alive, const Csg& csg, HitOf<Real>& nearest) const {
+        const core::Ray<Real> endless{ray.origin, ray.direction, Real(core::infinity)};
+        const HitOf<Real> found = CsgLaneTracer<Real>(scene_, csg).first(endless, alive, nearest.t);
+        const Mask isNearer = isBefore(found.t, found.instance, nearest);
+        if (core::any(isNearer)) replace(isNearer, found, nearest);
+    }
+    Mask isMetBy(const core::Ray<Real>& ray, const Mask& asked, const Csg& csg) const {
+        return CsgLaneTracer<Real>(scene_, csg).first(ray, asked, ray.tMax).t < Real(core::infinity);
+    }
+
     // In a mesh the triangles come in their order, so that of equal ones the first stays.
     static void nearestOf(const core::Ray<Real>& ray, std::uint32_t instance, const Polyhedron& mesh,
                           HitOf<Real>& nearest) {
         forEachTriangle(ray, mesh, [&](std::uint32_t triangle, const TriangleHit<Real>& found) {
-            replace(isBefore(found.t, instance, nearest), {found.t, UInt(instance), UInt(triangle), found.b1, found.b2},
-                    nearest);
+            replace(isBefore(found.t, UInt(instance), nearest),
+                    {found.t, UInt(instance), UInt(triangle), found.b1, found.b2}, nearest);
         });
     }
     static Mask isMetBy(const core::Ray<Real>& ray, const Polyhedron& mesh) {
@@ -107,57 +117,6 @@ private:
             isMet = isMet | (found.t < Real(core::infinity));
         });
         return isMet;
-    }
-
-    // One ray after the other meets a CSG object.
-    void nearestOf(const core::Ray<Real>& ray, const Mask& alive, const Csg& csg, HitOf<Real>& nearest) const {
-        HitLanes<Real> hits(nearest);
-        const core::Ray<Real> endless{ray.origin, ray.direction, Real(core::infinity)};
-        forEachNear(endless, nearest.t, alive, csg, [&](int lane, const auto& oneRay) {
-            Hit hit = hits.at(lane);
-            oneRay.nearest(hit);
-            hits.set(lane, hit);
-        });
-        nearest = hits.hit();
-    }
-    Mask isMetBy(const core::Ray<Real>& ray, const Mask& asked, const Csg& csg) const {
-        std::uint32_t met = 0;
-        forEachNear(ray, ray.tMax, asked, csg,
-                    [&](int lane, const auto& oneRay) { met |= std::uint32_t{oneRay.occluded()} << lane; });
-        return core::maskOf<Real>(met);
-    }
-
-    // A ray and a CSG object: of a small one the lanes have tested the operands before.
-    struct CsgRay {
-        const CsgTracer<TreeLanes>& tracer;
-        core::Rayf ray;
-        void nearest(Hit& hit) const { tracer.nearest(ray, hit); }
-        bool occluded() const { return tracer.occluded(ray); }
-    };
-    struct TestedCsgRay : CsgRay {
-        const CsgLanes<Real>& lanes;
-        int lane;
-        void nearest(Hit& hit) const { this->tracer.nearest(this->ray, lanes, lane, hit); }
-        bool occluded() const { return this->tracer.occluded(this->ray, lanes, lane); }
-    };
-
-    // Calls f(lane, ray) for the lanes whose rays come near the object before `end`.
-    template<class F>
-    void forEachNear(const core::Ray<Real>& ray, const Real& end, const Mask& asked, const Csg& csg, F&& f) const {
-        const Mask near = asked & LaneBoxRays<Real>(csg.bounded().objects(), ray, end).mayMeet();
-        if (!core::any(near)) return;
-        TraversalCounts counts;
-        const CsgTracer<TreeLanes> tracer(scene_, csg, counts);
-        const LaneRays<Real> rays(ray);
-        const core::LaneArray<Real> tMax(ray.tMax);
-        if (!CsgLanes<Real>::isFor(csg))
-            return core::forEachLane(core::bitsOf(near), [&](int lane) {
-                f(lane, CsgRay{tracer, rays.at(lane, tMax[lane])});
-            });
-        const CsgLanes<Real> lanes(scene_, csg, ray, counts);
-        core::forEachLane(core::bitsOf(near) & lanes.lanes(), [&](int lane) {
-            f(lane, TestedCsgRay{{tracer, rays.at(lane, tMax[lane])}, lanes, lane});
-        });
     }
 
     // Calls found(triangle, hit) for those that any lane's ray goes through. The exact areas are asked only there.

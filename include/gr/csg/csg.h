@@ -40,6 +40,14 @@ public:
     bool hasMeshes() const { return hasMeshes_; }
     // Surfaces of two operands that are nearer to each other than this are one.
     float tolerance() const { return tolerance_; }
+    // How far apart, in t, two crossings of a ray may be at most where their surfaces are one. A ray along a surface
+    // comes out of what rounding leaves of it only after a long way; up to the slope `flattest` it is counted as what
+    // it is.
+    static constexpr float flattest = 0x1p-10f;
+    template<class Real>
+    Real farthestFilm(const core::Vec3<Real>& direction) const {
+        return Real(tolerance_) / (Real(flattest) * core::sqrt(glm::dot(direction, direction)));
+    }
 
     // In the scene: it stands where its operands do. Empty where they hold nothing, infinite where none bounds it.
     core::Bounds bounds() const { return bounds_; }

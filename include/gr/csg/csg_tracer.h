@@ -23,23 +23,27 @@ public:
         room_.state.fit(csg.tree());
     }
 
+    // The first hit that is not beyond `last`, nor where the ray ends.
+    Hit first(const core::Rayf& ray, float last) const {
+        // What is within rounding of the end counts for what is before it.
+        const float end = std::min(last, ray.tMax) + csg_.farthestFilm<float>(ray.direction);
+        CsgCrossings<Lanes>(scene_, csg_, counts_, room_.crossings).find(ray, end);
+        if (room_.crossings.empty()) return {};
+        return Way(scene_, csg_, ray, room_).first(last);
+    }
+    // The same of one of the lanes that have been tested at once.
+    template<class Real>
+    Hit first(const core::Rayf& ray, const CsgLanes<Real>& lanes, int lane, float last) const {
+        lanes.crossings(lane, room_.crossings);
+        return Way(scene_, csg_, ray, room_).first(last);
+    }
+
     // Replaces `nearest` by what comes before it.
     void nearest(const core::Rayf& ray, Hit& nearest) const {
         const Hit hit = first(ray, nearest.t);
         if (hit.t < core::infinity && hit.isBefore(nearest)) nearest = hit;
     }
     bool occluded(const core::Rayf& ray) const { return first(ray, ray.tMax).t < core::infinity; }
-
-    // The same of one of the lanes that were tested at once.
-    template<class Real>
-    void nearest(const core::Rayf& ray, const CsgLanes<Real>& lanes, int lane, Hit& nearest) const {
-        const Hit hit = first(ray, lanes, lane, nearest.t);
-        if (hit.t < core::infinity && hit.isBefore(nearest)) nearest = hit;
-    }
-    template<class Real>
-    bool occluded(const core::Rayf& ray, const CsgLanes<Real>& lanes, int lane) const {
-        return first(ray, lanes, lane, ray.tMax).t < core::infinity;
-    }
 
 private:
     // Lists that each thread uses again and again.
@@ -87,13 +91,9 @@ private:
 
         void cross(std::size_t i) { state_.cross(operandAt(crossings()[i]), crossings()[i].enters); }
 
-        // A ray along a surface comes out of what rounding leaves of it only after a long way. Up to this slope it is
-        // counted as what it is.
-        static constexpr float flattest = 0x1p-10f;
-
         // Whether no other crossing can be within rounding.
         bool isAlone(std::size_t i) const {
-            const float apart = csg_.tolerance() / (flattest * glm::length(ray_.direction));
+            const float apart = csg_.farthestFilm<float>(ray_.direction);
             const auto isFar = [&](std::size_t other) {
                 return std::abs(crossings()[other].hit.t - crossings()[i].hit.t) > apart;
             };
@@ -101,9 +101,8 @@ private:
         }
         Closeness closenessAt(std::size_t i) const {
             const core::Vec3f normal = normalAt(i);
-            const float steepness =
-                std::max(std::abs(glm::dot(normal, ray_.direction)), flattest * glm::length(ray_.direction));
-            return {normal, csg_.tolerance() / steepness};
+            const float slope = std::abs(glm::dot(normal, ray_.direction));
+            return {normal, std::min(csg_.tolerance() / slope, csg_.farthestFilm<float>(ray_.direction))};
         }
         core::Vec3f normalAt(std::size_t i) const {
             const Hit& hit = crossings()[i].hit;
@@ -156,19 +155,6 @@ private:
     static Room& ownRoom() {
         thread_local Room room;
         return room;
-    }
-
-    template<class Real>
-    Hit first(const core::Rayf& ray, const CsgLanes<Real>& lanes, int lane, float last) const {
-        lanes.crossings(lane, room_.crossings);
-        return Way(scene_, csg_, ray, room_).first(last);
-    }
-    Hit first(const core::Rayf& ray, float last) const {
-        // What is within rounding of the end counts for what is before it.
-        const float beyond = csg_.tolerance() * 0x1p10f / glm::length(ray.direction);
-        CsgCrossings<Lanes>(scene_, csg_, counts_, room_.crossings).find(ray, std::min(last, ray.tMax) + beyond);
-        if (room_.crossings.empty()) return {};
-        return Way(scene_, csg_, ray, room_).first(last);
     }
 
     const Scene& scene_;

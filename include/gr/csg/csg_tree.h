@@ -27,6 +27,10 @@ public:
     std::size_t operandCount() const { return operands_.size(); }
     // Whether the outside of an operand is what the whole may hold: its surface then looks the other way.
     bool isInverted(std::size_t operand) const { return operands_[operand].isInverted; }
+    // Of a tree of few operands: whether it holds a place, for each way in which they may hold it. The number of such a
+    // way, and of the bit that tells, has a bit for each operand that holds, the first one's last.
+    static constexpr std::uint32_t mostInTable = 5;
+    std::uint32_t table() const { return table_; }
     // A box round the whole, given those of its operands; infinite along axes where none bounds it.
     core::Bounds bounds(std::span<const core::Bounds> operands) const;
     // Calls f(number) with numbers that tell it from other trees.
@@ -38,7 +42,10 @@ public:
         }
         for (const Link& operand : operands_) f(operand.parent);
     }
-    std::size_t bytes() const { return nodes_.capacity() * sizeof(Node) + operands_.capacity() * sizeof(Link); }
+    std::size_t bytes() const {
+        return nodes_.capacity() * sizeof(Node) + operands_.capacity() * sizeof(Link) +
+               farAway_.capacity() * sizeof(farAway_[0]);
+    }
 
 private:
     friend class CsgState;
@@ -55,10 +62,12 @@ private:
     };
 
     Link link(std::uint32_t parent);
+    void fillTable();
 
     std::vector<Node> nodes_;  // parents first
     std::vector<Link> operands_;
     std::vector<std::int32_t> farAway_;  // how many of each node's children count where no operand holds
+    std::uint32_t table_ = 0;
 };
 
 // What the whole holds on the way along a ray, as it goes into operands and out of them.

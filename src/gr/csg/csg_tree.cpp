@@ -1,6 +1,7 @@
 #include "gr/csg/csg_tree.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace gr {
 
@@ -30,6 +31,23 @@ void CsgTree::finish() {
     for (std::size_t i = nodes_.size(); i-- > 1;) {
         const Node& node = nodes_[i];
         farAway_[node.parent] += (farAway_[i] >= node.enough) != node.isComplement;
+    }
+    if (operands_.size() <= mostInTable) fillTable();
+}
+
+void CsgTree::fillTable() {
+    CsgState::Room room;
+    room.fit(*this);
+    CsgState state(*this, room);
+    // From one way to the next a single operand changes, in Gray's order.
+    std::uint32_t way = 0;
+    const std::uint32_t count = 1u << operands_.size();
+    for (std::uint32_t i = 1;; ++i) {
+        table_ |= std::uint32_t{state.isInside()} << way;
+        if (i == count) return;
+        const int operand = std::countr_zero(i);
+        way ^= 1u << operand;
+        state.cross(static_cast<std::size_t>(operand), (way >> operand & 1) != 0);
     }
 }
 
