@@ -20,8 +20,9 @@ public:
     std::string word;
 };
 
-// The candidate that is spelled most like word, or empty when none is near enough to be meant: at most a third of its
-// letters, and at least one, changed, added, left out or swapped with a neighbour.
+// The candidate that is spelled most like word, capitals or not, or empty when none is near enough to be meant: at most
+// a third of its letters, and at least one, changed, added, left out or swapped with a neighbour. Where more than one
+// letter is, or none is so near, it is the only candidate that begins with the word, if that has three letters.
 std::string nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 // " (did you mean "gold"?)", or nothing.

@@ -136,6 +136,10 @@ inline void readOption(core::WordList& value, Tcl_Obj* word, std::string_view wh
     }
 }
 
+template<class Value>
+inline constexpr bool mayBeNone = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>> ||
+                                  std::is_same_v<Value, std::optional<glm::dvec3>>;
+
 // An option's value, into owner.
 template<class Owner>
 void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) {
@@ -145,7 +149,14 @@ void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) 
         owner.*(*channels) = channelsFrom(word, row.name, row.range);
         return;
     }
-    const auto read = [&](auto member) { readOption(owner.*member, word, row.name, row.range, row.words); };
+    // The word "none" takes back a number or a point that gr_default or a word before it has set.
+    const bool isNone = row.defaultText == "none" && textOf(word) == "none";
+    const auto read = [&]<class Value>(Value Owner::*member) {
+        if (mayBeNone<Value> && isNone)
+            owner.*member = Owner{}.*member;
+        else
+            readOption(owner.*member, word, row.name, row.range, row.words);
+    };
     std::visit(read, row.member);
 }
 

@@ -33,4 +33,11 @@ private:
 // A word as a shell reads it.
 std::string inShell(const std::string& word);
 
+// Whether a name counts that is only spelled almost like an option's.
+enum class Spelling { right, near };
+
+// "--set width=640" where the words at `at`, such as --width 640, mean an option of gr_render; else nothing. Goes on to
+// the word behind them.
+std::string setMeant(const std::vector<std::string>& words, std::size_t& at, Spelling spelling);
+
 }  // namespace grsh

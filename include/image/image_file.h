@@ -57,6 +57,9 @@ private:
     std::filesystem::path target_;  // where links lead
 };
 
+// Throws core::Error where a name does not end as those of pictures that can be written do.
+void checkEndingToWrite(const std::string& name);
+
 // Whether a name ends as those of pictures that can be read do, and these endings as messages list them.
 bool hasPictureEnding(const std::string& name);
 std::string pictureEndings();

@@ -23,19 +23,42 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+std::string inSmallLetters(std::string_view word) {
+    std::string text(word);
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+// The only candidate that begins with the word; empty where there is none, or more than one.
+std::string_view abbreviated(const std::string& word, std::span<const std::string_view> candidates) {
+    std::string_view found;
+    for (const std::string_view candidate : candidates) {
+        if (candidate == found || !inSmallLetters(candidate).starts_with(word)) continue;
+        if (!found.empty()) return {};
+        found = candidate;
+    }
+    return found;
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string_view> candidates) {
+    constexpr std::size_t leastOfAbbreviation = 3;
+    const std::string small = inSmallLetters(word);
     std::string_view best;
     std::size_t bestDistance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
         const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
         if (longer - shorter >= bestDistance) continue;
-        const std::size_t distance = editDistance(word, candidate);
+        const std::size_t distance = editDistance(small, inSmallLetters(candidate));
         if (distance >= bestDistance || distance >= longer) continue;
         best = candidate;
         bestDistance = distance;
     }
+    // Words are more often cut off than mistaken twice.
+    if (word.size() >= leastOfAbbreviation && bestDistance > 1)
+        if (const std::string_view whole = abbreviated(small, candidates); !whole.empty()) best = whole;
     return std::string(best);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "grsh/unread_words.h"
 
 namespace grsh {
 namespace {
@@ -95,14 +96,32 @@ constexpr std::array<Row, 14> rows{{
      [](CommandLine& line, const std::string&) { line.asks = CommandLine::Asks::version; }},
 }};
 
-const Row& rowOf(const std::string& option) {
+// An option of gr_render that stands before the script, whose words follow it.
+std::string asSet(const std::vector<std::string>& words, std::size_t at, Spelling spelling) {
+    const std::string text = setMeant(words, at, spelling);
+    return text.empty() || at == words.size() ? "" : " (did you mean \"" + text + "\"?)";
+}
+
+// What was meant by an option that there is not.
+std::string hint(const std::vector<std::string>& words, std::size_t at) {
+    const std::string& option = words[at];
     std::vector<std::string_view> names;
     for (const Row& row : rows) {
-        if (row.name == option) return row;
+        const std::string name(row.name);
+        if (!row.argument.empty() && option.starts_with(name + "="))
+            return " (did you mean \"" + name + " " + inShell(option.substr(name.size() + 1)) + "\"?)";
         // One letter is as near to any other.
-        if (row.name.size() > 2) names.push_back(row.name);
+        if (name.size() > 2) names.push_back(row.name);
     }
-    fail(option, "unknown option \"" + option + "\"" + core::didYouMean(option, names));
+    if (const std::string text = asSet(words, at, Spelling::right); !text.empty()) return text;
+    const std::string text = core::didYouMean(option, names);
+    return text.empty() ? asSet(words, at, Spelling::near) : text;
+}
+
+const Row& rowAt(const std::vector<std::string>& words, std::size_t at) {
+    const auto* const row = std::ranges::find(rows, words[at], &Row::name);
+    if (row == rows.end()) fail(words[at], "unknown option \"" + words[at] + "\"" + hint(words, at));
+    return *row;
 }
 
 bool isOption(const std::string& word) {
@@ -111,7 +130,7 @@ bool isOption(const std::string& word) {
 
 // Reads the option at a word and returns the number of the next word.
 std::size_t readOption(CommandLine& line, const std::vector<std::string>& words, std::size_t at) {
-    const Row& row = rowOf(words[at]);
+    const Row& row = rowAt(words, at);
     std::size_t next = at + 1;
     if (!row.argument.empty() && next == words.size())
         fail(words[at], words[at] + " needs another word, " + std::string(row.argument));

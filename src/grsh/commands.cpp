@@ -3,6 +3,7 @@
 #include "grsh/last_resort.h"
 #include "grsh/word_hints.h"
 
+#include <algorithm>
 #include <new>
 #include <system_error>
 
@@ -76,14 +77,15 @@ int run(ClientData data, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
     }
 }
 
-// One of ours that is misspelt gets a suggestion.
+// One of ours that is misspelt, or lacks its gr_, gets a suggestion.
 void suggest(Tcl_Interp* interp, const State& state, const std::string& name) {
     std::vector<std::string_view> names;
     for (const auto& binding : state.bindings)
         if (binding->name.starts_with("gr_")) names.push_back(binding->name);
-    const bool isOurs = name.starts_with("gr_");
-    const std::string message = "invalid command name \"" + name + "\"" + (isOurs ? core::didYouMean(name, names) : "");
-    Tcl_SetObjResult(interp, textObject(message));
+    const std::string whole = name.starts_with("gr_") ? name : "gr_" + name;
+    const bool isMeant = whole == name || std::ranges::count(names, whole) > 0;
+    const std::string hint = isMeant ? core::didYouMean(whole, names) : "";
+    Tcl_SetObjResult(interp, textObject("invalid command name \"" + name + "\"" + hint));
 }
 
 // Tcl calls `unknown` for a command that does not exist; this where all that it knows is that there is none.
@@ -92,8 +94,7 @@ int unknownCommand(ClientData procedure, Tcl_Interp* interp, int objc, Tcl_Obj* 
     const int code = state.tclUnknown(procedure, interp, objc, objv);
     const std::string name(objc > 1 ? textOf(objv[1]) : std::string_view());
     const std::string message = "invalid command name \"" + name + "\"";
-    if (code == TCL_ERROR && name.starts_with("gr_") && textOf(Tcl_GetObjResult(interp)) == message)
-        suggest(interp, state, name);
+    if (code == TCL_ERROR && textOf(Tcl_GetObjResult(interp)) == message) suggest(interp, state, name);
     return code;
 }
 

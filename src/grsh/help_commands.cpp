@@ -1,5 +1,6 @@
 #include "grsh/commands.h"
 #include "grsh/option_words.h"
+#include "grsh/redefine.h"
 
 #include <array>
 
@@ -17,6 +18,20 @@ constexpr std::array<OptionTable, 5> optionTables{{
     {"gr_polyhedron", polyhedronOptionsHelp},
     {"gr_mesh", meshOptionsHelp},
     {"gr_material", materialOptionsHelp},
+}};
+
+// Words that are neither commands nor options in pairs.
+struct Topic {
+    std::string_view name, text;
+};
+constexpr std::array<Topic, 2> otherTopics{{
+    {"#auto",
+     "#auto in place of the name of a node, a material or a light:\n"
+     "the command's name without its gr_ and the next number with which it is free, e.g. sphere1\n"
+     "the command returns what it has made, e.g. gr_translate [gr_sphere : #auto] {0 1 0}"},
+    {redefineOption,
+     "gr_material -redefine name ..., gr_light -redefine name ...:\n"
+     "makes another of one that there is, for all that name it"},
 }};
 
 std::string oneLineEach() {
@@ -53,12 +68,16 @@ std::string about(const Command& command) {
     return text;
 }
 
-// Of every material type and every option of that name; empty where there is none.
-std::string aboutOptions(std::string_view name) {
+// Of every command, every material type and every option of that name; empty where there is none.
+std::string aboutWord(std::string_view name) {
     const std::string_view word = withoutDash(name);
     if (word.empty()) return "";
     std::string text;
     const auto add = [&](const std::string& lines) { text += (text.empty() ? "" : "\n") + lines; };
+    for (const Command* command : allCommands())
+        if (name == command->name || name == command->alias || name == command->name.substr(3)) add(about(*command));
+    for (const Topic& topic : otherTopics)
+        if (word == withoutDash(topic.name)) add(std::string(topic.text));
     std::vector<OptionHelp> ofType;
     for (OptionHelp& option : materialOptionsHelp())
         if (option.type == name) ofType.push_back(std::move(option));
@@ -80,6 +99,7 @@ std::vector<std::string_view> topics() {
         names.push_back(command->name);
         if (!command->alias.empty()) names.push_back(command->alias);
     }
+    for (const Topic& topic : otherTopics) names.push_back(topic.name);
     for (const OptionTable& table : optionTables) {
         for (const OptionHelp& option : table.options()) {
             names.push_back(option.name);
@@ -92,10 +112,7 @@ std::vector<std::string_view> topics() {
 Tcl_Obj* help(Call& call) {
     if (call.words.size() == 0) return textObject(oneLineEach());
     const std::string_view name = call.words.text(0);
-    for (const Command* command : allCommands())
-        if (!name.empty() && (name == command->name || name == command->alias || name == command->name.substr(3)))
-            return textObject(about(*command));
-    if (const std::string text = aboutOptions(name); !text.empty()) return textObject(text);
+    if (const std::string text = aboutWord(name); !text.empty()) return textObject(text);
     throw core::Error("COMMAND", "UNKNOWN", std::string(name),
                       std::string("no such command") + (name.starts_with("gr_") ? " " : ", material type or option ") +
                           quoted(name) + core::didYouMean(name, topics()));

@@ -1,4 +1,4 @@
-#include "grsh/commands.h"
+#include "grsh/redefine.h"
 
 #include <array>
 
@@ -8,9 +8,10 @@ namespace {
 // gr_light ?-redefine? name {x y z} {r g b} {c0 c1 c2}
 Tcl_Obj* makeLight(Call& call) {
     constexpr core::Range amount{.least = 0, .most = 1e18};
-    const bool redefines = call.words.text(0) == "-redefine";
-    if (redefines != (call.words.size() == 5)) throwWrongWords();
-    const std::size_t name = redefines ? 1 : 0;
+    const bool changes = redefines(call);
+    if (call.words.size() == 5) checkRedefineSpelling(call);
+    if (changes != (call.words.size() == 5)) throwWrongWords();
+    const std::size_t name = changes ? 1 : 0;
     gr::PointLight light;
     light.position = core::Vec3f(call.words.vector(name + 1, "position", {.least = -1e18, .most = 1e18}));
     light.intensity = call.words.colour(name + 2, "intensity", amount);
@@ -18,7 +19,7 @@ Tcl_Obj* makeLight(Call& call) {
     if (light.attenuation == core::Vec3f(0))
         throwBadValue("attenuation", "other than all 0", call.words.object(name + 3));
     std::string made(call.words.text(name));
-    if (redefines)
+    if (changes)
         call.session.database.redefineLight(made, light);
     else
         made = call.session.database.addLight(made, light);
@@ -32,7 +33,8 @@ Tcl_Obj* removeLight(Call& call) {
 
 constexpr std::array<Command, 2> rows{{
     {"gr_light", "", "?-redefine? name {x y z} {r g b} {c0 c1 c2}", 4, 5, makeLight,
-     "makes or changes a point light; at distance d it shows a white surface {r g b}/(c0 + c1 d + c2 d^2) bright"},
+     "makes or changes a point light; at distance d it shows a white surface {r g b}/(c0 + c1 d + c2 d^2) bright",
+     "-redefine makes another of one that there is; lights shine in the renders that name them"},
     {"gr_delete_light", "", "name", 1, 1, removeLight, "deletes a point light"},
 }};
 

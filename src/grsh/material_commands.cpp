@@ -1,7 +1,10 @@
-#include "grsh/commands.h"
+#include "grsh/css_colours.h"
 #include "grsh/option_words.h"
+#include "grsh/redefine.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace grsh {
 namespace {
@@ -11,8 +14,6 @@ std::vector<std::string_view> typeNames() {
     materials::forEachMaterialType([&]<class M>() { names.push_back(M::typeName); });
     return names;
 }
-
-constexpr std::string_view redefine = "-redefine";
 
 // type ?option value ...?, from word `first` on.
 materials::Material readTyped(Call& call, std::size_t first) {
@@ -25,12 +26,12 @@ materials::Material readTyped(Call& call, std::size_t first) {
         material = parameters;
     });
     if (material) return *material;
-    const std::array<std::string_view, 1> options{redefine};
-    if (const std::string hint = core::didYouMean(call.words.text(0), options); first == 1 && !hint.empty())
-        throw core::Error("OPTION", "UNKNOWN", std::string(call.words.text(0)),
-                          "no such option " + quoted(call.words.text(0)) + hint);
+    checkRedefineSpelling(call);
+    // Of as many words as the older form has, the first may be a colour.
+    std::vector<std::string_view> near = typeNames();
+    if (call.words.size() == first + 3) std::ranges::copy(cssColourNames(), std::back_inserter(near));
     throw core::Error("MATERIAL", "TYPE", type,
-                      "no such type " + quoted(type) + core::didYouMean(type, typeNames()) + ": must be " +
+                      "no such type " + quoted(type) + core::didYouMean(type, near) + ": must be " +
                           core::listed(typeNames()) + ", or {kd} {ks} exponent");
 }
 
@@ -63,14 +64,14 @@ void warnOfBlackSamples(Call& call, std::string_view name, const materials::Mate
 
 // gr_material ?-redefine? name type ?option value ...?, or name {kd} {ks} exponent
 Tcl_Obj* makeMaterial(Call& call) {
-    const bool redefines = call.words.text(0) == redefine;
-    const std::size_t name = redefines ? 1 : 0, first = name + 1;
+    const bool changes = redefines(call);
+    const std::size_t name = changes ? 1 : 0, first = name + 1;
     if (call.words.size() <= first) throwWrongWords();
     const bool older = call.words.size() == first + 3 && call.words.isColour(first);
     const materials::Material material = older ? readOlderForm(call, first) : readTyped(call, first);
     const std::string words = call.words.textFrom(first);
     std::string made(call.words.text(name));
-    if (redefines)
+    if (changes)
         call.session.database.redefineMaterial(made, material, words);
     else
         made = call.session.database.addMaterial(made, material, words);
@@ -90,7 +91,8 @@ Tcl_Obj* setMaterial(Call& call) {
 
 constexpr std::array<Command, 3> rows{{
     {"gr_material", "", "?-redefine? name type ?option value ...?", 2, anyNumberOfWords, makeMaterial,
-     "makes or changes a material; the older form {kd} {ks} exponent in place of type and options still works"},
+     "makes or changes a material; the older form {kd} {ks} exponent in place of type and options still works",
+     "-redefine makes another of one that there is, for all nodes that have it"},
     {"gr_delete_material", "", "name", 1, 1, removeMaterial, "deletes a material that no node has"},
     {"gr_surfaceproperty", "gr_set_material", "node material", 2, 2, setMaterial,
      "gives a node, and what is below it without a material of its own, a material"},

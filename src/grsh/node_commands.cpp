@@ -44,14 +44,21 @@ Tcl_Obj* print(Call& call) {
     return textObject(call.session.database.print(call.words.size() == 1 ? call.words.text(0) : ":"));
 }
 
+constexpr std::string_view aboutOperands =
+    "operands are spheres, boxes, cylinders, cones, tori, closed meshes, the three kinds again, and instances of "
+    "these\n"
+    "a gr_transform is the union of its children; a gr_plane is all below it, which another operand must cut off\n"
+    "where an operand cuts, its own material is seen\n"
+    "what is no solid is an error when it is rendered";
+
 constexpr std::array<Command, 9> rows{{
     {"gr_transform", "", "pname name", 2, 2, makeTransform, "makes an inner node, which holds others"},
     {"gr_union", "", "pname name", 2, 2, makeCsg<gr::UnionNode>,
-     "makes an inner node whose children become one solid: what any of them holds"},
+     "makes an inner node whose children become one solid: what any of them holds", aboutOperands},
     {"gr_intersection", "", "pname name", 2, 2, makeCsg<gr::IntersectionNode>,
-     "makes an inner node whose children become one solid: what all of them hold"},
+     "makes an inner node whose children become one solid: what all of them hold", aboutOperands},
     {"gr_difference", "", "pname name", 2, 2, makeCsg<gr::DifferenceNode>,
-     "makes an inner node whose children become one solid: the first, less all the others"},
+     "makes an inner node whose children become one solid: the first, less all the others", aboutOperands},
     {"gr_instance", "", "pname name target", 3, 3, makeInstance, "places the subtree at the path target once more"},
     {"gr_als_planar", "", "pname name {r g b} {x y z} size", 5, 5, makeAreaLight,
      "makes a square area light centred at {x y z} in the x-z plane, with radiance {r g b} from its -y side"},

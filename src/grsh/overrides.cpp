@@ -2,6 +2,7 @@
 
 #include "grsh/option_words.h"
 #include "grsh/render_job.h"
+#include "image/image_file.h"
 
 namespace grsh {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 Overrides::Overrides(const std::vector<std::string>& assignments) : isAny_(!assignments.empty()) {
     for (const std::string& assignment : assignments) {
         const std::size_t equals = assignment.find('=');
-        if (equals == std::string::npos) fail(assignment, "needs option=value, not " + quoted(assignment));
+        if (equals == std::string::npos) fail(assignment, "needs option=value, not " + grsh::quoted(assignment));
         try {
             set(assignment.substr(0, equals), argumentValue(assignment.substr(equals + 1)).get());
         } catch (const core::Error& error) {
@@ -33,6 +34,7 @@ std::vector<std::string_view> Overrides::names() {
 void Overrides::set(const std::string& name, Tcl_Obj* value) {
     if (name == "file") {
         file_ = fileNameFrom(value, "file");
+        image::checkEndingToWrite(*file_);
     } else if (name == "width" || name == "height") {
         (name == "width" ? width_ : height_) = integerFrom(value, name, pixelRange);
     } else {

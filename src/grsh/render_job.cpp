@@ -15,22 +15,31 @@ struct CameraWords {
     std::size_t view, up, fov, next;
 };
 
-// In place of {view} there may stand lookat {x y z}.
+constexpr std::array<std::string_view, 1> inPlaceOfView{"lookat"};
+
+// In place of {view} there may stand lookat {x y z}, the option being written as options are.
 CameraWords cameraWords(Call& call) {
     constexpr std::size_t view = 5;
-    const std::size_t more = call.words.text(view) == "lookat" ? 1 : 0;
+    const std::size_t more = withoutDash(call.words.text(view)) == inPlaceOfView[0] ? 1 : 0;
     if (call.words.size() < 8 + more) throwWrongWords();
     return {view, view + 1 + more, view + 2 + more, view + 3 + more};
 }
 
 constexpr core::Range coordinate{.least = -1e18, .most = 1e18};
 
+// What is spelled like lookat was meant for it.
+glm::dvec3 readView(Call& call, std::size_t i) {
+    if (const std::string hint = core::didYouMean(withoutDash(call.words.text(i)), inPlaceOfView); !hint.empty())
+        throwBadValue("view", "{x y z}, or two words lookat {x y z}", call.words.object(i), hint);
+    return call.words.vector(i, "view", coordinate);
+}
+
 void readCamera(Call& call, const CameraWords& at, RenderJob& job) {
     job.width = call.words.integer(2, "width", pixelRange);
     job.height = call.words.integer(3, "height", pixelRange);
     job.eye = call.words.vector(4, "eye", coordinate);
     if (at.up == at.view + 1)
-        job.view = call.words.vector(at.view, "view", coordinate);
+        job.view = readView(call, at.view);
     else
         job.settings.lookAt = call.words.vector(at.view + 1, "lookat", coordinate);
     job.up = call.words.vector(at.up, "up", coordinate);
@@ -90,8 +99,28 @@ bool isLights(Call& call, std::size_t i) {
     return !makesPairs || call.words.listLength(i) != 1 || isOption(call, i + 1);
 }
 
+// Whether a word is a list of names of lights, none of which can be meant as a colour.
+bool namesLights(Call& call, std::size_t i) {
+    const std::vector<std::string> known = call.session.database.lightNames();
+    const auto isLight = [&](Tcl_Obj* word) {
+        double number = 0;
+        const bool isColour = Tcl_GetDoubleFromObj(nullptr, word, &number) == TCL_OK || cssColour(textOf(word));
+        return !isColour && std::ranges::count(known, textOf(word)) > 0;
+    };
+    return call.words.listLength(i) > 0 && std::ranges::all_of(elementsOf(call.words.object(i), "lights", ""), isLight);
+}
+
+// Lights in the place of ambient: somebody who needs none forgets easily that it stands before them.
+void checkAmbientGiven(Call& call, std::size_t i) {
+    if (i >= call.words.size() || isOption(call, i) || !namesLights(call, i)) return;
+    const std::string text(call.words.text(i));
+    throw core::Error("VALUE", "LIGHTS", text,
+                      "ambient must be given before the lights " + quoted(text) + ", as in " + "0 {" + text + "}");
+}
+
 // ?{ambient} ?{lights}?? ?option value ...?
 void readTail(Call& call, std::size_t next, RenderJob& job) {
+    checkAmbientGiven(call, next);
     if (isAmbient(call, next)) {
         job.ambient = call.words.colour(next++, "ambient", {.least = 0, .most = 1e18});
         if (isLights(call, next)) job.lights = call.words.strings(next++, "lights");

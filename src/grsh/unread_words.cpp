@@ -25,27 +25,23 @@ void tellAtExit(ClientData words) {
 }
 
 // The option of --set that a word means, with its dashes or without; empty where it means none.
-std::string optionMeant(const std::string& word) {
+std::string optionMeant(const std::string& word, Spelling spelling) {
     const std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
     const auto names = Overrides::names();
     if (findOption(render::RenderSettings::options(), name) != nullptr || std::ranges::count(names, name) > 0)
         return name;
-    return word.starts_with('-') ? core::nearest(name, names) : "";
+    return word.starts_with('-') && spelling == Spelling::near ? core::nearest(name, names) : "";
 }
 
 // What was meant by the words from `at` on, for a command line; nothing where that cannot be told. Goes on to the next.
 std::string meant(const std::vector<std::string>& words, std::size_t& at) {
-    const std::string& word = words[at++];
-    if (const std::size_t count = wordsOfOption(word); count > 0) {
-        std::string text = word;
-        for (std::size_t i = 1; i < count && at < words.size(); ++i) text += " " + inShell(words[at++]);
-        return text;
-    }
-    const std::size_t equals = word.find('=');
-    const std::string name = optionMeant(word.substr(0, equals));
-    if (name.empty()) return "";
-    if (equals != std::string::npos) return "--set " + inShell(name + word.substr(equals));
-    return at == words.size() ? "" : "--set " + inShell(name + "=" + words[at++]);
+    const std::string& word = words[at];
+    const std::size_t count = wordsOfOption(word);
+    if (count == 0) return setMeant(words, at, Spelling::near);
+    std::string text = word;
+    ++at;
+    for (std::size_t i = 1; i < count && at < words.size(); ++i) text += " " + inShell(words[at++]);
+    return text;
 }
 
 std::string warningText(const std::string& script, const std::string& written, const std::vector<std::string>& words) {
@@ -66,6 +62,15 @@ std::string inShell(const std::string& word) {
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
     return text + "'";
+}
+
+std::string setMeant(const std::vector<std::string>& words, std::size_t& at, Spelling spelling) {
+    const std::string& word = words[at++];
+    const std::size_t equals = word.find('=');
+    const std::string name = optionMeant(word.substr(0, equals), spelling);
+    if (name.empty()) return "";
+    if (equals != std::string::npos) return "--set " + inShell(name + word.substr(equals));
+    return at == words.size() ? "" : "--set " + inShell(name + "=" + words[at++]);
 }
 
 UnreadWords::UnreadWords(Tcl_Interp* interp, const std::string& script, const std::string& written,

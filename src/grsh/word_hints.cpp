@@ -68,6 +68,11 @@ std::string octalHint(std::string_view word) {
 }
 
 std::string bracesHint(std::string_view word) {
+    // An element such as "[list" is the beginning of a command in a list that braces have made.
+    const bool isTornApart = word.size() > 1 && word[0] == '[' &&
+                             std::isalpha(static_cast<unsigned char>(word[1])) != 0 &&
+                             word.find_first_of("] \t\n") == std::string_view::npos;
+    if (isTornApart) return " (nothing is replaced in braces: make the list around it by [list ...], too)";
     if (!isUnreplaced(word)) return "";
     constexpr std::size_t most = 60;  // letters; what is longer, or has lines, does not fit the message
     if (word.size() > most || word.find('\n') != std::string_view::npos) return " (nothing is replaced in braces)";

@@ -94,6 +94,10 @@ const Format& formatOf(const std::string& path, std::string_view verb) {
 
 }  // namespace
 
+void checkEndingToWrite(const std::string& name) {
+    formatOf(name, "write");
+}
+
 bool hasPictureEnding(const std::string& name) {
     return findFormat(name) != nullptr;
 }

@@ -30,7 +30,7 @@ TEST(Nearest, FindsALetterChangedAddedLeftOutOrSwapped) {
 TEST(Nearest, LeavesOutWhatIsTooFarToBeMeant) {
     const Words options{"pathlength"};
     EXPECT_EQ(nearest("pahtlenght", options), "pathlength");
-    EXPECT_EQ(nearest("pathlen", options), "");
+    EXPECT_EQ(nearest("pothlen", options), "");
     EXPECT_EQ(nearest("pathlengths", options), "pathlength");
     EXPECT_EQ(nearest("bathlendth", options), "pathlength");
     EXPECT_EQ(nearest("bithlendth", options), "pathlength");
@@ -45,6 +45,24 @@ TEST(Nearest, NeverSuggestsAWordThatHasNoLetterInCommon) {
     EXPECT_EQ(nearest("x", Words{"y"}), "");
     EXPECT_EQ(nearest("", Words{"a", ""}), "");
     EXPECT_EQ(nearest("abc", {}), "");
+}
+
+TEST(Nearest, CountsNoCapitals) {
+    EXPECT_EQ(nearest("PANORAMA", Words{"perspective", "panorama"}), "panorama");
+    EXPECT_EQ(nearest("Glod", Words{"silver", "gold"}), "gold");
+    EXPECT_EQ(nearest(":LEG", Words{":Leg", ":arm"}), ":Leg");
+}
+
+TEST(Nearest, FindsAnAbbreviationOfOneWordOnly) {
+    const Words options{"perspective", "orthographic", "samplesperpixel", "samplesperlightsource"};
+    EXPECT_EQ(nearest("ortho", options), "orthographic");
+    EXPECT_EQ(nearest("Pers", options), "perspective");
+    EXPECT_EQ(nearest("samplesperp", options), "samplesperpixel");
+    EXPECT_EQ(nearest("samples", options), "");
+    EXPECT_EQ(nearest("or", options), "");
+    EXPECT_EQ(nearest("gr_dif", Words{"gr_disc", "gr_difference"}), "gr_difference");
+    EXPECT_EQ(nearest("gr_dis", Words{"gr_disc", "gr_distance"}), "gr_disc");
+    EXPECT_EQ(nearest("ort", Words{"orthographic", "orthographic"}), "orthographic");
 }
 
 TEST(Nearest, PrefersFewerMistakesAndThenTheFirst) {

@@ -218,7 +218,7 @@ TEST_F(TreeTest, MaterialsByName) {
         database, [&] { database.setMaterial(":robot", "wood"); }, "MATERIAL UNKNOWN [wood] no such material \"wood\"");
     expectError(
         database, [&] { database.addMaterial("gold", materials::Diffuse{}); },
-        "MATERIAL EXISTS [gold] material \"gold\" already exists");
+        "MATERIAL EXISTS [gold] material \"gold\" already exists; -redefine changes it");
     expectError(
         database, [&] { database.addMaterial("", materials::Diffuse{}); }, "MATERIAL NAME [] a name must not be empty");
     EXPECT_EQ(std::get<materials::Diffuse>(gold->material).reflectance, core::Rgbf(0.9f, 0.7f, 0.2f));
@@ -240,7 +240,7 @@ TEST_F(TreeTest, MaterialsMadeAgainByTheSameWordsStay) {
         [&] {
             database.addMaterial("gold", materials::Diffuse{{1, 0, 0}}, "diffuse #ff0000");
         },
-        "MATERIAL EXISTS [gold] material \"gold\" already exists");
+        "MATERIAL EXISTS [gold] material \"gold\" already exists; -redefine changes it");
     database.redefineMaterial("gold", materials::Diffuse{{0, 1, 0}}, "diffuse lime");
     database.addMaterial("gold", materials::Diffuse{{0, 1, 0}}, "diffuse lime");
     expectError(
@@ -290,7 +290,8 @@ TEST_F(TreeTest, PointLightsByName) {
     expectError(
         database, [&] { database.light("sun"); }, "LIGHT UNKNOWN [sun] no such light \"sun\"");
     expectError(
-        database, [&] { database.addLight("lamp", {}); }, "LIGHT EXISTS [lamp] light \"lamp\" already exists");
+        database, [&] { database.addLight("lamp", {}); },
+        "LIGHT EXISTS [lamp] light \"lamp\" already exists; -redefine changes it");
     expectError(
         database, [&] { database.addLight("", {}); }, "LIGHT NAME [] a name must not be empty");
     EXPECT_EQ(lamp().position, core::Vec3f(1, 2, 3));

@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/transform.h"
+#include "gr/direction.h"
 #include "gr/shapes/flat_side.h"
 #include "gr/shapes/shape_node.h"
 #include "gr/shapes/surface.h"
@@ -66,11 +67,11 @@ struct PlaneNode {
     static constexpr core::Word kind = "plane", plural = "planes";
 
     glm::dvec3 point{0};
-    glm::dvec3 normal{0, 1, 0};  // not 0
+    glm::dvec3 normal{0, 1, 0};  // of any length but 0
 
     Plane shape() const { return {}; }
     glm::dmat4 placeIn(const glm::dmat4& around) const {
-        const glm::dvec3 y = glm::normalize(normal), x = glm::normalize(eastOf<double>(y));
+        const glm::dvec3 y = directionOf(normal), x = glm::normalize(eastOf<double>(y));
         glm::dmat4 turn(1);
         turn[0] = {x, 0};
         turn[1] = {y, 0};

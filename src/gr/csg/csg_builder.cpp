@@ -21,6 +21,15 @@ bool mayBeSolid(const NodeContent& content) {
         content);
 }
 
+// All that may be, for messages.
+template<class... Nodes>
+std::string solidKinds(std::type_identity<ShapeNodeList<Nodes...>>) {
+    std::vector<std::string_view> kinds;
+    ((isSolidShape<ShapeNodeList<>::ShapeOf<Nodes>> ? kinds.push_back(Nodes::plural) : void()), ...);
+    kinds.push_back("closed meshes");
+    return core::listed(kinds, "and");
+}
+
 }  // namespace
 
 std::optional<CsgOperation> operationOf(const NodeContent& content) {
@@ -45,7 +54,9 @@ void CsgBuilder::addOperand(const Node& node, std::uint32_t parent) {
 void CsgBuilder::checkSolid(const Node& node) {
     const std::string whole = "cannot be an operand of \"" + open_->top->path() + "\"";
     if (!mayBeSolid(node.content))
-        throw core::Error("CSG", "SOLID", node.path(), "\"" + node.path() + "\" is no solid and " + whole);
+        throw core::Error("CSG", "SOLID", node.path(),
+                          "\"" + node.path() + "\" is no solid and " + whole + ": solids are " +
+                              solidKinds(std::type_identity<ShapeNodes>()));
     const auto* mesh = std::get_if<PolyhedronNode>(&node.content);
     if (mesh == nullptr || !closedMeshes_.insert(mesh->polyhedron.get()).second) return;
     if (const std::size_t open = openEdges(*mesh->polyhedron); open > 0)

@@ -44,7 +44,7 @@ std::string Database::addMaterial(std::string_view name, const materials::Materi
     const std::string key = newName(materials_, name, "material", lastMaterial_);
     const auto [entry, isNew] = materials_.try_emplace(key, NamedMaterial{key, material, std::string(words)});
     if (!isNew && (words.empty() || entry->second.words != words))
-        throw core::Error("MATERIAL", "EXISTS", key, "material \"" + key + "\" already exists");
+        throw core::Error("MATERIAL", "EXISTS", key, "material \"" + key + "\" already exists; -redefine changes it");
     return key;
 }
 
@@ -52,7 +52,7 @@ std::string Database::addLight(std::string_view name, const NamedLight& light) {
     if (name.empty()) throw core::Error("LIGHT", "NAME", "", "a name must not be empty");
     const std::string key = newName(lights_, name, "light", lastLight_);
     if (!lights_.try_emplace(key, light).second)
-        throw core::Error("LIGHT", "EXISTS", key, "light \"" + key + "\" already exists");
+        throw core::Error("LIGHT", "EXISTS", key, "light \"" + key + "\" already exists; -redefine changes it");
     return key;
 }
 
