@@ -62,7 +62,9 @@ private:
         TraversalCounts counts;
         const Hit inLanes = lanes_->nearest(ray, true, counts);
         EXPECT_EQ(inLanes.t, hit ? hit->t : core::infinity);
-        if (hit) EXPECT_EQ(inLanes.instance, hit->instance);
+        if (hit) {
+            EXPECT_EQ(inLanes.instance, hit->instance);
+        }
         return hit;
     }
 
