@@ -149,13 +149,17 @@ void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) 
         owner.*(*channels) = channelsFrom(word, row.name, row.range);
         return;
     }
-    // The word "none" takes back a number or a point that gr_default or a word before it has set.
+    // The word "none" takes back a number, which then is 0, or a point, which then is absent, that gr_default or a word
+    // before it has set.
     const bool isNone = row.defaultText == "none" && textOf(word) == "none";
     const auto read = [&]<class Value>(Value Owner::*member) {
-        if (mayBeNone<Value> && isNone)
-            owner.*member = Owner{}.*member;
-        else
-            readOption(owner.*member, word, row.name, row.range, row.words);
+        if constexpr (mayBeNone<Value>) {
+            if (isNone) {
+                owner.*member = Value{};
+                return;
+            }
+        }
+        readOption(owner.*member, word, row.name, row.range, row.words);
     };
     std::visit(read, row.member);
 }

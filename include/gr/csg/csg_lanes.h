@@ -5,7 +5,6 @@
 #include "gr/csg/csg_crossings.h"
 
 #include <array>
-#include <utility>
 
 namespace gr {
 
@@ -38,7 +37,7 @@ public:
     void crossings(int lane, std::vector<CsgCrossing>& found) const {
         found.clear();
         for (std::uint32_t i = 0; i < count_; ++i)
-            if (parts_[i].lanes >> lane & 1) addSpan(enter_[i][lane], leave_[i][lane], parts_[i].instance, found);
+            if (enter_[i][lane] < core::infinity) addSpan(enter_[i][lane], leave_[i][lane], instance_[i], found);
         sortCrossings(found);
     }
 
@@ -82,17 +81,12 @@ public:
 private:
     static constexpr std::size_t mostParts = 2 * most;
 
-    struct Part {
-        std::uint32_t instance;
-        std::uint32_t lanes;
-    };
-
     void add(const Interval<Real>& span, std::uint32_t instance) {
         const Mask isAhead = span.exists & (span.leave > Real(0));
         const std::uint32_t ahead = core::bitsOf(isAhead);
         if (ahead == 0) return;
         const Real never(core::infinity), enter = core::max(span.enter, Real(0));
-        parts_[count_] = {instance, ahead};
+        instance_[count_] = instance;
         enter_[count_] = core::LaneArray<Real>(core::select(isAhead, enter, never));
         leave_[count_] = core::LaneArray<Real>(core::select(isAhead, core::max(enter, span.leave), never));
         ++count_;
@@ -107,7 +101,7 @@ private:
     struct InOrder {
         explicit InOrder(const CsgLanes& lanes) : count(0) {
             for (std::uint32_t i = 0; i < lanes.count_; ++i) {
-                const std::uint32_t operand = lanes.parts_[i].instance - lanes.csg_.firstOperand();
+                const std::uint32_t operand = lanes.instance_[i] - lanes.csg_.firstOperand();
                 const std::uint32_t enters = operand << numberFrom | 1u << operand;
                 add(lanes.enter_[i].real(), UInt(enters), 0);
                 // It is never left before it is entered.
@@ -132,14 +126,17 @@ private:
             t[k] = farther;
         }
 
+        static constexpr std::size_t most = 2 * 2 * CsgTree::mostInTable;
         std::uint32_t count;
-        Real t[2 * mostParts];
-        UInt code[2 * mostParts];
+        Real t[most];
+        UInt code[most];
     };
 
     const Csg& csg_;
-    std::array<Part, mostParts> parts_;
-    core::LaneArray<Real> enter_[mostParts], leave_[mostParts];  // infinity where a lane has no such part
+    // Parts of the line that an operand holds: of which, and where each lane enters and leaves; infinity where it has
+    // no such part.
+    std::array<std::uint32_t, mostParts> instance_;
+    core::LaneArray<Real> enter_[mostParts], leave_[mostParts];
     std::uint32_t count_ = 0, lanes_ = 0;
 };
 
