@@ -5,7 +5,13 @@
 
 #include "gr/lights/area_light.h"
 #include "gr/lights/point_light.h"
+#include "gr/lights/sky_light.h"
+#include "gr/lights/spot_light.h"
+#include "gr/lights/sun_light.h"
 
+#include <algorithm>
+#include <array>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -24,6 +30,8 @@ struct KindOfLight {
 template<class... Kinds>
 class LightList {
     static_assert((KindOfLight<Kinds>::isComplete && ...));
+    // So that what is made of the others alone can count them from 0.
+    static_assert(std::ranges::is_sorted(std::array{Kinds::isEndless...}), "endless kinds stand behind all others");
 
 public:
     template<class Kind>
@@ -55,13 +63,15 @@ public:
     }
 
     std::size_t size() const { return (of<Kinds>().size() + ...); }
+    // Those that have a place: their indices come before those of endless lights.
+    std::size_t placed() const { return ((Kinds::isEndless ? 0 : of<Kinds>().size()) + ...); }
     std::size_t bytes() const { return ((of<Kinds>().capacity() * sizeof(Kinds)) + ...); }
 
 private:
     std::tuple<std::vector<Kinds>...> arrays_;
 };
 
-using Lights = LightList<AreaLight, PointLight>;
+using Lights = LightList<AreaLight, PointLight, SpotLight, SunLight, ParallelLight, SkyLight>;
 
 namespace detail {
 
@@ -75,6 +85,14 @@ struct NamedKinds<std::variant<Named...>, Kind, Others...>
 template<class... Kinds>
 typename NamedKinds<std::variant<>, Kinds...>::Type namedOf(const LightList<Kinds...>&);
 
+template<class... As, class... Bs, class F>
+void forEachPair(const std::tuple<As...>& a, const std::tuple<Bs...>& b, F&& f) {
+    const auto each = [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (f(std::get<i>(a), std::get<i>(b)), ...);
+    };
+    each(std::index_sequence_for<As...>());
+}
+
 }  // namespace detail
 
 // Of a kind that scripts give names.
@@ -86,16 +104,16 @@ Light<Real> gathered(const Light<float>* lights, const core::UInt<Real>& index) 
     const core::GatheredRow<Real, Light<float>> row(lights, index);
     Light<Real> light;
     std::size_t offset = 0;
-    const auto take = [&]<class Part>(Part& part) {
-        if constexpr (std::is_same_v<Part, Real>) {
+    const auto take = [&]<class Part>(Part& part, const auto& ofFirst) {
+        if constexpr (std::is_pointer_v<Part>)
+            part = ofFirst;  // all lights of the kind have the same
+        else if constexpr (std::is_same_v<Part, Real>)
             part = row.number(offset);
-            offset += sizeof(float);
-        } else {
+        else
             part = row.vector(offset);
-            offset += sizeof(core::Vec3f);
-        }
+        offset += sizeof(ofFirst);
     };
-    std::apply([&](auto&... part) { (take(part), ...); }, Light<Real>::parts(light));
+    detail::forEachPair(Light<Real>::parts(light), Light<float>::parts(lights[0]), take);
     return light;
 }
 // The same light in all lanes.
@@ -103,16 +121,14 @@ template<class Real, template<class> class Light>
 Light<Real> broadcast(const Light<float>& one) {
     Light<Real> light;
     const auto set = []<class Part>(Part& part, const auto& from) {
-        if constexpr (std::is_same_v<Part, Real>)
+        if constexpr (std::is_pointer_v<Part>)
+            part = from;
+        else if constexpr (std::is_same_v<Part, Real>)
             part = Real(from);
         else
             part = core::broadcast<Real>(from);
     };
-    const auto setAll = [&]<std::size_t... i>(const auto& to, const auto& from, std::index_sequence<i...>) {
-        (set(std::get<i>(to), std::get<i>(from)), ...);
-    };
-    const auto to = Light<Real>::parts(light);
-    setAll(to, Light<float>::parts(one), std::make_index_sequence<std::tuple_size_v<decltype(to)>>());
+    detail::forEachPair(Light<Real>::parts(light), Light<float>::parts(one), set);
     return light;
 }
 

@@ -73,9 +73,13 @@ private:
 };
 
 // From a point off a surface to a place on a light, where it ends before it meets the light itself: t from 0 to 1.
+// Towards an endless light, of which the target is a direction, it has no end.
 template<class Real, template<class> class Light>
 core::Ray<Real> shadowRay(const core::Vec3<Real>& start, const Light<Real>& light, const core::Vec3<Real>& target) {
-    return {start, light.shadowEnd(start, target) - start, Real(1)};
+    if constexpr (Light<Real>::isEndless)
+        return {start, target};
+    else
+        return {start, light.shadowEnd(start, target) - start, Real(1)};
 }
 
 class Scene {
@@ -85,6 +89,7 @@ public:
     std::vector<materials::Material> materials;
     std::vector<std::optional<materials::Interior>> interiors;  // of the materials
     Lights lights;
+    std::shared_ptr<const SkyGrid> sky;  // of the light that is one, or null
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
     std::vector<std::unique_ptr<Csg>> csgs;
     std::shared_ptr<MeshTrees> operandMeshes;  // in them
@@ -111,10 +116,16 @@ public:
 // lies farther away from there than it is large, in its middle, so that no digits are spent on telling how far.
 enum class Origin { isTheWorlds, isNear };
 
-// Spreads out the subtree at the path `node`, lit by the area lights in it and the named lights. The node's own
-// transform comes along, those above it do not. Throws core::Error for an unknown node or light, and for a scene that
-// instances multiply beyond the memory of the machine.
+// A sky round the scene, or none: turned by so many degrees about +y, counterclockwise seen from above.
+struct Sky {
+    std::shared_ptr<const SkyGrid> grid;
+    double degrees = 0;
+};
+
+// Spreads out the subtree at the path `node`, lit by the area lights in it, the named lights and the sky. The node's
+// own transform comes along, those above it do not. Throws core::Error for an unknown node or light, and for a scene
+// that instances multiply beyond the memory of the machine.
 Scene compile(const Database& database, std::string_view node, std::span<const std::string> lights,
-              Origin origin = Origin::isTheWorlds);
+              Origin origin = Origin::isTheWorlds, const Sky& sky = {});
 
 }  // namespace gr

@@ -79,6 +79,8 @@ std::vector<OptionHelp> renderOptionsHelp();
 std::vector<OptionHelp> compareOptionsHelp();
 std::vector<OptionHelp> meshOptionsHelp();
 std::vector<OptionHelp> polyhedronOptionsHelp();
+std::vector<OptionHelp> lightOptionsHelp();
+std::vector<OptionHelp> sunOptionsHelp();
 
 // Creates the commands, and a session that lives as long as the interpreter; files and overrides live longer.
 void registerCommands(Tcl_Interp* interp, const FileAccess& files, Overrides& overrides, const Limits& limits,

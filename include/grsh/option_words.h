@@ -137,8 +137,9 @@ inline void readOption(core::WordList& value, Tcl_Obj* word, std::string_view wh
 }
 
 template<class Value>
-inline constexpr bool mayBeNone = std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>> ||
-                                  std::is_same_v<Value, std::optional<glm::dvec3>>;
+inline constexpr bool mayBeNone =
+    std::is_same_v<Value, std::string> || std::is_same_v<Value, double> ||
+    std::is_same_v<Value, std::optional<double>> || std::is_same_v<Value, std::optional<glm::dvec3>>;
 
 // An option's value, into owner.
 template<class Owner>
@@ -149,8 +150,8 @@ void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) 
         owner.*(*channels) = channelsFrom(word, row.name, row.range);
         return;
     }
-    // The word "none" takes back a number, which then is 0, or a point, which then is absent, that gr_default or a word
-    // before it has set.
+    // The word "none" takes back a number, which then is 0, or a point or a file, which then is absent, that gr_default
+    // or a word before it has set.
     const bool isNone = row.defaultText == "none" && textOf(word) == "none";
     const auto read = [&]<class Value>(Value Owner::*member) {
         if constexpr (mayBeNone<Value>) {

@@ -35,6 +35,9 @@ struct RenderJob {
     std::vector<image::Layer> layers() const { return image::layersNamed(settings.layers); }
 };
 
+// The options from word `first` on, into settings. The files that they name lie beside the script that names them.
+void readRenderOptions(Call& call, std::size_t first, render::RenderSettings& settings);
+
 RenderJob readRenderJob(Call& call);
 
 }  // namespace grsh

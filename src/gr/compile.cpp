@@ -13,6 +13,7 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -206,7 +207,8 @@ std::vector<core::Bounds> boundsOf(const Scene& scene) {
 
 }  // namespace
 
-Scene compile(const Database& database, std::string_view path, std::span<const std::string> lights, Origin where) {
+Scene compile(const Database& database, std::string_view path, std::span<const std::string> lights, Origin where,
+              const Sky& sky) {
     const Node& top = database.find(path);
     std::vector<NamedLight> named;
     for (const std::string& name : lights) named.push_back(database.light(name));
@@ -231,10 +233,16 @@ Scene compile(const Database& database, std::string_view path, std::span<const s
     for (const NamedLight& light : named)
         std::visit(
             [&]<class Kind>(Kind one) {
-                one.moveBy(core::Vec3f(-scene.origin));
+                if constexpr (!Kind::isEndless) one.moveBy(core::Vec3f(-scene.origin));
                 scene.lights.of<Kind>().push_back(one);
             },
             light);
+    if (sky.grid != nullptr) {
+        const double turns = sky.degrees / 360;
+        scene.sky = sky.grid;
+        scene.lights.of<SkyLight>() = {
+            {scene.sky.get(), scene.sky->unit(), static_cast<float>(turns - std::floor(turns))}};
+    }
     finishCsgs(scene, boxes);
     sortForManyRays(scene, boxes);
     return scene;

@@ -27,6 +27,11 @@ public:
     void add(const core::Transform& map) {
         for (const core::Vec3f& row : {map.x, map.y, map.z, map.translation}) add(row);
     }
+    void add(const SkyGrid* sky) {
+        add(std::uint64_t(sky->width()));
+        add(std::uint64_t(sky->height()));
+        for (const core::Rgbf& radiance : sky->radiances()) add(radiance);
+    }
     std::uint64_t value() const { return state_; }
 
 private:

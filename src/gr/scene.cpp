@@ -33,6 +33,7 @@ std::size_t Scene::bytes() const {
                         interiors.capacity() * sizeof(interiors[0]) + lights.bytes();
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
     for (const auto& csg : csgs) bytes += csg->bytes();
+    if (sky) bytes += sky->bytes();
     if (operandMeshes) bytes += operandMeshes->bytes();
     bytes += (faces.parallelograms.capacity() + faces.triangles.capacity()) * sizeof(Face) +
              (large.capacity() + bodies.capacity()) * sizeof(std::uint32_t);

@@ -12,11 +12,13 @@ struct OptionTable {
     std::string_view command;
     std::vector<OptionHelp> (*options)();
 };
-constexpr std::array<OptionTable, 5> optionTables{{
+constexpr std::array<OptionTable, 7> optionTables{{
     {"gr_render", renderOptionsHelp},
     {"gr_compare", compareOptionsHelp},
     {"gr_polyhedron", polyhedronOptionsHelp},
     {"gr_mesh", meshOptionsHelp},
+    {"gr_light", lightOptionsHelp},
+    {"gr_sun", sunOptionsHelp},
     {"gr_material", materialOptionsHelp},
 }};
 
@@ -30,7 +32,7 @@ constexpr std::array<Topic, 2> otherTopics{{
      "the command's name without its gr_ and the next number with which it is free, e.g. sphere1\n"
      "the command returns what it has made, e.g. gr_translate [gr_sphere : #auto] {0 1 0}"},
     {redefineOption,
-     "gr_material -redefine name ..., gr_light -redefine name ...:\n"
+     "gr_material -redefine name ..., gr_light -redefine name ..., gr_sun -redefine name ...:\n"
      "makes another of one that there is, for all that name it"},
 }};
 

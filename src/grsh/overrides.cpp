@@ -57,7 +57,11 @@ void Overrides::apply(RenderJob& job) {
     if (file_) job.file = *file_;
     if (width_) job.width = *width_;
     if (height_) job.height = *height_;
-    for (const auto& [row, value] : options_) readOption(*row, value.get(), job.settings);
+    for (const auto& [row, value] : options_) {
+        readOption(*row, value.get(), job.settings);
+        // A file that is named outside of all scripts lies where grsh was started.
+        if (row->name == "environment") job.settings.environmentPath = job.settings.environment;
+    }
 }
 
 }  // namespace grsh

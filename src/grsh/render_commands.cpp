@@ -1,5 +1,6 @@
 #include "core/parallel.h"
 #include "grsh/commands.h"
+#include "grsh/environment.h"
 #include "grsh/interrupt.h"
 #include "grsh/option_words.h"
 #include "grsh/picture_words.h"
@@ -52,7 +53,7 @@ void warnOfNoise(Call& call, const RenderJob& job, const render::RenderResult& r
                    (result.noise ? "but " + render::noiseText(*result.noise) : "too few to tell what is"));
 }
 
-// The lights of gr_light that the command does not name, which is what most often makes a picture black.
+// The lights of gr_light and gr_sun that the command does not name, which is what most often makes a picture black.
 std::string lightsLeftOut(const RenderJob& job, const gr::Database& database) {
     constexpr std::size_t most = 8;
     std::vector<std::string> names;
@@ -117,7 +118,8 @@ Tcl_Obj* renderCommand(Call& call) {
     const auto start = std::chrono::steady_clock::now();
     // Everything that can be wrong is found before the first ray.
     const RenderJob job = readRenderJob(call);
-    const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights, gr::Origin::isNear);
+    const gr::Sky sky{readEnvironment(job, *call.session.files), job.settings.environmentRotation};
+    const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights, gr::Origin::isNear, sky);
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);
     const image::ImageFile file(call.session.files->toWrite(job.file), job.layers());
@@ -176,7 +178,7 @@ Tcl_Obj* defaultCommand(Call& call) {
     RenderDefaults& defaults = call.session.defaults;
     if (call.words.size() == 0) return defaultsList(defaults);
     render::RenderSettings settings = defaults.settings;
-    readOptions(call.words, 0, "no such option", settings);
+    readRenderOptions(call, 0, settings);
     defaults.settings = settings;
     for (std::size_t i = 0; i < call.words.size(); i += 2) {
         const std::string_view option = findOption(render::RenderSettings::options(), call.words.text(i))->name;
@@ -196,7 +198,7 @@ constexpr std::array<Command, 2> rows{{
      "eye is a point, view and up are directions; lookat {x y z} in place of {view} looks at a point\n"
      "fov is the vertical field of view in degrees, between 0 and 180\n"
      "ambient is added where a path ends because it is as long as it may be\n"
-     "lights are the names of the gr_light lights that shine\n"
+     "lights are the names of the lights of gr_light and gr_sun that shine\n"
      "of an option that is given twice the last value counts"},
     {"gr_default", "", "?option value ...?", 0, anyNumberOfWords, defaultCommand,
      "sets options for every gr_render that follows and does not say otherwise; without words, returns those set",

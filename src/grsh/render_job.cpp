@@ -2,7 +2,9 @@
 
 #include "core/memory.h"
 #include "grsh/css_colours.h"
+#include "grsh/environment.h"
 #include "grsh/option_words.h"
+#include "grsh/place.h"
 #include "image/film.h"
 #include "render/render.h"
 #include "render/transport/lanes_choice.h"
@@ -125,7 +127,7 @@ void readTail(Call& call, std::size_t next, RenderJob& job) {
         job.ambient = call.words.colour(next++, "ambient", {.least = 0, .most = 1e18});
         if (isLights(call, next)) job.lights = call.words.strings(next++, "lights");
     }
-    readOptions(call.words, next, "no such option", job.settings);
+    readRenderOptions(call, next, job.settings);
 }
 
 // first, last: a pair of options, and what they come to; of how many lines or columns there are.
@@ -173,6 +175,13 @@ void checkMemory(const RenderJob& job) {
 
 }  // namespace
 
+void readRenderOptions(Call& call, std::size_t first, render::RenderSettings& settings) {
+    readOptions(call.words, first, "no such option", settings);
+    for (std::size_t i = first; i < call.words.size(); i += 2)
+        if (findOption(render::RenderSettings::options(), call.words.text(i))->name == "environment")
+            settings.environmentPath = besideScript(call.interp, call.words.text(i + 1));
+}
+
 RenderJob readRenderJob(Call& call) {
     const CameraWords at = cameraWords(call);
     RenderJob job;
@@ -185,6 +194,7 @@ RenderJob readRenderJob(Call& call) {
     readTail(call, at.next, job);
     call.session.overrides->apply(job);
     checkView(call, at, job);
+    checkEnvironment(job.settings);
     checkStrip("startline", job.startLine(), "stopline", job.stopLine(), "height", job.height);
     checkStrip("startcolumn", job.startColumn(), "stopcolumn", job.stopColumn(), "width", job.width);
     applyLimits(job, call.session.limits);

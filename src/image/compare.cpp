@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "image/image_file.h"
+#include "image/radiances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,24 +32,6 @@ const std::array<core::OptionRow<CompareSettings>, 3> rows{{
     throw core::Error("COMPARE", "PICTURE", path, "cannot compare \"" + path + "\": " + why);
 }
 
-// A channel's numbers as floats; whole numbers from 0 to 1, through the curve given.
-template<class Curve>
-std::vector<float> floatsOf(const ImageChannel& channel, const Curve& curve) {
-    const auto convert = [&]<class Number>(const std::vector<Number>& numbers) {
-        if constexpr (std::is_same_v<Number, float>) {
-            return numbers;
-        } else {
-            constexpr int most = std::numeric_limits<Number>::max();
-            std::vector<float> table(most + 1), floats(numbers.size());
-            for (int i = 0; i <= most; ++i)
-                table[static_cast<std::size_t>(i)] = static_cast<float>(curve(i / double(most)));
-            std::transform(numbers.begin(), numbers.end(), floats.begin(), [&](Number i) { return table[i]; });
-            return floats;
-        }
-    };
-    return std::visit(convert, channel.samples);
-}
-
 void checkFinite(const Image& image, const std::vector<float>& numbers, const std::string& path) {
     const auto bad = std::ranges::find_if(numbers, [](float x) { return !std::isfinite(x); });
     if (bad == numbers.end()) return;
@@ -61,7 +44,7 @@ void checkFinite(const Image& image, const std::vector<float>& numbers, const st
 std::vector<float> coverageOf(const Image& image, const std::string& path) {
     const ImageChannel* alpha = image.find("A");
     if (alpha == nullptr) return {};
-    std::vector<float> coverage = floatsOf(*alpha, [](double x) { return x; });
+    std::vector<float> coverage = linearNumbers(image, *alpha, true);
     checkFinite(image, coverage, path);
     return std::ranges::all_of(coverage, [](float x) { return x == 1; }) ? std::vector<float>() : coverage;
 }
@@ -94,8 +77,7 @@ Colours coloursOf(const Image& image, const std::string& path) {
     for (int c = 0; c < 3; ++c) {
         const ImageChannel* channel = image.find(isGrey ? "Y" : std::string(1, "RGB"[c]));
         if (channel == nullptr) fail(path, "it has the channels " + image.channelNames() + ", not R, G and B");
-        const std::vector<float> numbers = floatsOf(
-            *channel, [&](double x) { return image.gamma == 0 ? decodeSrgb(x) : std::pow(x, 1 / image.gamma); });
+        const std::vector<float> numbers = linearNumbers(image, *channel);
         checkFinite(image, numbers, path);
         // A PNG's colours are those of the pixel where it is covered; an OpenEXR file's already are what shows.
         const bool isWhatShows = std::holds_alternative<std::vector<float>>(channel->samples);

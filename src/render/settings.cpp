@@ -18,7 +18,7 @@ constexpr core::Range coordinate{.least = -1e18, .most = 1e18};
 
 using S = RenderSettings;
 
-const std::array<core::OptionRow<S>, 29> rows{{
+const std::array<core::OptionRow<S>, 31> rows{{
     {.name = "accelerator",
      .member = &S::accelerator,
      .words = gr::acceleratorNames(),
@@ -119,6 +119,16 @@ const std::array<core::OptionRow<S>, 29> rows{{
      .range = {.least = 0, .most = 1e18},
      .unit = "radiance",
      .help = "light of a ray that leaves the scene"},
+    {.name = "environment",
+     .member = &S::environment,
+     .defaultText = "none",
+     .help = "a picture of the sky all round, which shines: longitude and latitude, +y up, its middle towards -z, its "
+             "right half towards +x"},
+    {.name = "environmentrotation",
+     .member = &S::environmentRotation,
+     .range = {.least = -1e6, .most = 1e6},
+     .unit = "degrees",
+     .help = "turns that sky about +y, counter-clockwise seen from above, as gr_rotate turns a node"},
     {.name = "exposure",
      .member = &S::exposure,
      .range = {.least = -64, .most = 64},

@@ -52,10 +52,11 @@ public:
     void lookAt(std::string_view node, const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up);
     void forgetTransforms(std::string_view node);
 
-    // Both return the name: of #auto material1 or light1, the next that is free. words: what the script says of the
-    // material; one that was made by the same words stays.
+    // Both return the name: of #auto material1, light1 or sun1, the next that is free. words: what the script says of
+    // the material; one that was made by the same words stays.
     std::string addMaterial(std::string_view name, const materials::Material& material, std::string_view words = {});
-    std::string addLight(std::string_view name, const NamedLight& light);
+    // kind: light or sun, text that stays: what #auto counts.
+    std::string addLight(std::string_view name, const NamedLight& light, std::string_view kind = "light");
     // The nodes that have the material, and the renders that name the light, get this one.
     void redefineMaterial(std::string_view name, const materials::Material& material, std::string_view words = {});
     void redefineLight(std::string_view name, const NamedLight& light);
@@ -123,9 +124,10 @@ private:
     std::unordered_map<const Node*, std::unordered_set<const Node*>> instancesOf_;
     std::unordered_map<std::string, NamedMaterial> materials_;
     std::unordered_map<std::string, NamedLight> lights_;
-    // The last number that #auto gave: to children of a node by what they are, to materials, to lights.
+    // The last number that #auto gave: to children of a node by what they are, to materials, to lights by their kind.
     std::unordered_map<const Node*, AutoNumbers> autoNumbers_;
-    std::size_t lastMaterial_ = 0, lastLight_ = 0;
+    std::size_t lastMaterial_ = 0;
+    AutoNumbers lastLights_;
     MeshFiles meshFiles_;
 };
 

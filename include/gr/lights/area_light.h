@@ -11,7 +11,7 @@ namespace gr {
 // affine map. In lanes it is one light in each. Nothing but Reals, so that lanes can gather them.
 template<class Real>
 struct AreaLightOf {
-    static constexpr bool isNamed = false, canBeMet = true, hasPlaces = true;
+    static constexpr bool isNamed = false, isEndless = false, canBeMet = true, hasPlaces = true;
 
     core::Vec3<Real> corner, edge1, edge2;
     core::Vec3<Real> normal;  // unit length, to the side that emits

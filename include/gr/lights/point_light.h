@@ -11,7 +11,7 @@ namespace gr {
 // gather them.
 template<class Real>
 struct PointLightOf {
-    static constexpr bool isNamed = true, canBeMet = false, hasPlaces = false;
+    static constexpr bool isNamed = true, isEndless = false, canBeMet = false, hasPlaces = false;
 
     core::Vec3<Real> position;
     core::Rgb<Real> intensity;

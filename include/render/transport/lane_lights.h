@@ -41,7 +41,7 @@ public:
         Real pdfWLight(0);
         Rgb emitted(Real(0));
         forEachKindOf(index, hitsLight, [&]<class Light>(const Light& light, const Mask& here) {
-            if constexpr (Light::canBeMet) {
+            if constexpr (Light::canBeMet && !Light::isEndless) {
                 pdfWLight = core::select(here, light.pdfW(paths.ray.direction, points.surface.t), pdfWLight);
                 emitted = core::select(here, light.emitted(), emitted);
             }
@@ -52,12 +52,31 @@ public:
         return core::select(brings, emitted * weight, Rgb(Real(0)));
     }
 
+    // BSDF sampling, too: what endless lights send along the rays that leave the scene, weighted.
+    Rgb fromBeyond(const Paths<Real>& paths, const Mask& leaves) const {
+        Rgb sum(Real(0));
+        std::size_t number = 0;
+        scene_.scene.lights.forEach([&]<class Light>(const Light& light) {
+            if constexpr (Light::isEndless) {
+                if constexpr (Light::canBeMet) {
+                    const gr::Seen<Real> seen = gr::broadcast<Real>(light).seen(paths.ray.direction);
+                    const Real pdfWLight = seen.pdfW * Real(timesEndlessAsked(number));
+                    const Real weight =
+                        core::select(paths.cannotBeAsked, Real(1), balanceHeuristic(paths.pdfWBsdf, pdfWLight));
+                    sum += seen.radiance * weight;
+                }
+                ++number;
+            }
+        });
+        return core::select(leaves & !paths.countedByLights, sum, Rgb(Real(0)));
+    }
+
     // Light sampling: what surface points reflect of what the lights send them, weighted. A few lights are all asked,
     // of many chance picks some. isLast: whether the path goes on from there no more.
     Rgb direct(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask& isLast, RayCounts& rays) const {
         Rgb sum(Real(0));
         const Vec3 start = points.startAbove();
-        const auto add = [&](const Answer& answer) { sum += reflected(paths, points, start, answer, isLast, rays); };
+        const auto add = [&](const Answer& answer) { sum += reflected(paths, points, answer, isLast, rays); };
         if (setup_.picksLights) {
             for (int i = 0; i < setup_.lightSamples; ++i) add(answerOfPicked(points, start, drawn(paths, i)));
             return sum;
@@ -88,6 +107,12 @@ private:
         return setup_.picksLights ? scene_.lights.probability(at, light) * samples : samples;
     }
 
+    // Likewise the endless light of that number.
+    float timesEndlessAsked(std::size_t number) const {
+        const auto samples = static_cast<float>(setup_.lightSamples);
+        return setup_.picksLights ? scene_.lights.endlessProbability(number) * samples : samples;
+    }
+
     // Calls f(light, here) for each kind of light that has lanes: theirs, and which they are.
     template<class F>
     void forEachKindOf(const Real& index, const Mask& lanes, F&& f) const {
@@ -103,7 +128,7 @@ private:
     // point asks.
     struct Answer {
         gr::LightSample<Real> sample;
-        Vec3 shadowEnd;
+        core::Ray<Real> shadow;
         Mask cannotBeMet;  // BSDF sampling brings nothing of this light, since no ray meets it
     };
     // times: how often, on average, the point asks. The light of one answer is divided by that.
@@ -113,13 +138,13 @@ private:
         light.divideBy(times);
         gr::LightSample<Real> sample = light.sample(points.surface.lifted, place);
         sample.pdfW = sample.pdfW * times;
-        return {sample, light.shadowEnd(start, sample.target), Mask(!Light::canBeMet)};
+        return {sample, gr::shadowRay(start, light, sample.target), Mask(!Light::canBeMet)};
     }
     // The answer of a light that chance picks. u: the place on the light, and which light.
     Answer answerOfPicked(const ShadingPoints<Real>& points, const Vec3& start, const Vec3& u) const {
         const auto pick = scene_.lights.pick(start, u.z);
         const Real times = pick.probability * Real(static_cast<float>(setup_.lightSamples));
-        Answer answer{{start, points.normal, Rgb(Real(0)), Real(0)}, start, Mask(false)};
+        Answer answer{{start, points.normal, Rgb(Real(0)), Real(0)}, {start, Vec3(Real(0)), Real(1)}, Mask(false)};
         forEachKindOf(pick.light, times > Real(0), [&](const auto& light, const Mask& here) {
             const Answer found = answerOf(light, times, points, start, Draw(u.x, u.y));
             const Mask cannotBeMet = answer.cannotBeMet | (here & found.cannotBeMet);
@@ -127,7 +152,8 @@ private:
                        core::select(here, found.sample.wi, answer.sample.wi),
                        core::select(here, found.sample.weight, answer.sample.weight),
                        core::select(here, found.sample.pdfW, answer.sample.pdfW)},
-                      core::select(here, found.shadowEnd, answer.shadowEnd),
+                      {start, core::select(here, found.shadow.direction, answer.shadow.direction),
+                       core::select(here, found.shadow.tMax, answer.shadow.tMax)},
                       cannotBeMet};
         });
         return answer;
@@ -142,8 +168,8 @@ private:
     }
 
     // What the surfaces reflect of a light sample towards the eye, weighted; black where something stands between.
-    Rgb reflected(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Vec3& start, const Answer& answer,
-                  const Mask& isLast, RayCounts& rays) const {
+    Rgb reflected(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Answer& answer, const Mask& isLast,
+                  RayCounts& rays) const {
         const gr::LightSample<Real>& sample = answer.sample;
         const Vec3 wi = points.frame.toLocal(sample.wi);
         Rgb f(Real(0));
@@ -160,10 +186,11 @@ private:
         const Mask shines = paths.alive & (light.x + light.y + light.z > Real(0));
         if (!core::any(shines)) return Rgb(Real(0));
         rays.shadow += static_cast<std::uint64_t>(core::countOf(shines));
-        const core::Ray<Real> shadow{start, answer.shadowEnd - start, Real(1)};
+        const core::Ray<Real>& shadow = answer.shadow;
         const Mask isDark = tracer_.occluded(shadow, shines, rays.traversal);
-        const Rgb arriving =
-            scene_.hasInteriors ? light * paths.media.transmittance(glm::length(shadow.direction)) : light;
+        const Rgb arriving = scene_.hasInteriors
+                                 ? light * paths.media.transmittance(glm::length(shadow.direction) * shadow.tMax)
+                                 : light;
         return core::select(shines & !isDark, arriving, Rgb(Real(0)));
     }
 

@@ -21,6 +21,7 @@ public:
     static constexpr std::size_t mostLights = 1u << 23;
 
     LightTree() = default;
+    // Of the lights that have a place.
     explicit LightTree(const gr::Lights& lights);
 
     // A light's index, and how likely it was: 0 where none can shine at the point, and then any index.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gr/scene.h"
-#include "render/transport/light_tree.h"
+#include "render/transport/light_choice.h"
 
 #include <cstddef>
 
@@ -17,7 +17,7 @@ struct PathScene {
     const gr::Accelerator& accelerator;
     bool hasInteriors = false;  // materials that paths go through
     bool hasAnisotropy = false;
-    LightTree lights;
+    LightChoice lights;
 
     std::size_t bytes() const { return lights.bytes(); }
 };

@@ -123,9 +123,10 @@ private:
 
     // Points such that whatever lies behind a plane has some of them there, with how far rounding may have moved each.
     void collectPoints() {
-        // What has no end is behind all planes but those along it.
+        // What has no end is behind all planes but those along it, and shadow rays to an endless light leave the scene.
         hasEndless_ = std::any_of(scene_.instances.begin(), scene_.instances.end(),
-                                  [](const Instance& instance) { return isEndless(instance.shape); });
+                                  [](const Instance& instance) { return isEndless(instance.shape); }) ||
+                      scene_.lights.placed() < scene_.lights.size();
         if (hasEndless_) return;
         for (const Instance& instance : scene_.instances) {
             const auto add = [&](const Vec3f& p) {
@@ -145,7 +146,7 @@ private:
             if (points_.size() > mostPoints) return;
         }
         scene_.lights.forEach([&]<class Light>(const Light& light) {
-            if constexpr (!Light::canBeMet) points_.push_back({light.bounds().centre, 0});
+            if constexpr (!Light::canBeMet && !Light::isEndless) points_.push_back({light.bounds().centre, 0});
         });
     }
 

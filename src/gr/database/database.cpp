@@ -181,7 +181,8 @@ void Database::reset() {
     materials_.clear();
     lights_.clear();
     autoNumbers_.clear();
-    lastMaterial_ = lastLight_ = 0;
+    lastMaterial_ = 0;
+    lastLights_.clear();
 }
 
 }  // namespace gr

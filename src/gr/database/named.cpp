@@ -48,9 +48,9 @@ std::string Database::addMaterial(std::string_view name, const materials::Materi
     return key;
 }
 
-std::string Database::addLight(std::string_view name, const NamedLight& light) {
+std::string Database::addLight(std::string_view name, const NamedLight& light, std::string_view kind) {
     if (name.empty()) throw core::Error("LIGHT", "NAME", "", "a name must not be empty");
-    const std::string key = newName(lights_, name, "light", lastLight_);
+    const std::string key = newName(lights_, name, kind, lastLights_[kind]);
     if (!lights_.try_emplace(key, light).second)
         throw core::Error("LIGHT", "EXISTS", key, "light \"" + key + "\" already exists; -redefine changes it");
     return key;

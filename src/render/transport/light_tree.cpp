@@ -35,8 +35,10 @@ Leaf leafOf(const auto& light) {
 
 std::vector<Leaf> leavesOf(const gr::Lights& lights) {
     std::vector<Leaf> leaves;
-    leaves.reserve(lights.size());
-    lights.forEach([&](const auto& light) { leaves.push_back(leafOf(light)); });
+    leaves.reserve(lights.placed());
+    lights.forEach([&]<class Light>(const Light& light) {
+        if constexpr (!Light::isEndless) leaves.push_back(leafOf(light));
+    });
     return leaves;
 }
 
@@ -106,7 +108,7 @@ void sortAlongLongestWay(const std::vector<Leaf>& leaves, Indices below) {
 }  // namespace
 
 LightTree::LightTree(const gr::Lights& lights)
-    : nodes_(2 * lights.size()), lights_(2 * lights.size()), leaves_(lights.size()) {
+    : nodes_(2 * lights.placed()), lights_(2 * lights.placed()), leaves_(lights.placed()) {
     const std::vector<Leaf> leaves = leavesOf(lights);
     const double allPower = std::transform_reduce(leaves.begin(), leaves.end(), 0., std::plus<>(),
                                                   [](const Leaf& leaf) { return leaf.power; });

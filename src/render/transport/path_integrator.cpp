@@ -150,11 +150,11 @@ private:
             paths.throughput *= paths.media.transmittance(surface.t);
         }
 
-        // Add the background where a path leaves the scene, and end the path.
+        // Add the background and the endless lights where a path leaves the scene, and end the path.
         const Mask<Real> leaves = paths.alive & !isMet;
         if (core::any(leaves)) {
-            const Rgb<Real> sky = paths.throughput * core::broadcast<Real>(setup_.background);
-            paths.radiance += core::select(leaves, sky, Rgb<Real>(Real(0)));
+            const Rgb<Real> beyond = core::broadcast<Real>(setup_.background) + lights_.fromBeyond(paths, leaves);
+            paths.radiance += core::select(leaves, paths.throughput * beyond, Rgb<Real>(Real(0)));
         }
 
         // Add what a light emits where a path meets its front, by multiple importance sampling, and end the path.

@@ -101,9 +101,12 @@ public:
         bool countsEmission = true;  // false after a bounce for which lights were sampled already
         ++rays.camera;
         for (int surfacePoints = 1;; ++surfacePoints) {
-            // Find the nearest surface; a path that leaves the scene ends in the background.
+            // Find the nearest surface; a path that leaves the scene ends in what lies beyond.
             const std::optional<gr::Hit> hit = accelerator_.intersect(ray, rays.traversal);
-            if (!hit) return radiance + throughput * media.transmittance(core::infinity) * background_;
+            if (!hit) {
+                const Rgbf beyond = countsEmission ? background_ + fromBeyond(ray.direction) : background_;
+                return radiance + throughput * media.transmittance(core::infinity) * beyond;
+            }
             const ShadingPoint point(scene_, ray, *hit);
             if (surfacePoints == 1 && first != nullptr) *first = {hit->t, point.albedo(), point.frame.z};
 
@@ -153,6 +156,15 @@ private:
         return sum;
     }
 
+    // What endless lights send along a ray that meets nothing.
+    Rgbf fromBeyond(const Vec3f& direction) const {
+        Rgbf sum(0);
+        scene_.lights.forEach([&]<class Light>(const Light& light) {
+            if constexpr (Light::isEndless && Light::canBeMet) sum += light.seen(direction).radiance;
+        });
+        return sum;
+    }
+
     // What the surface reflects of a light sample towards the eye, black where something stands between.
     Rgbf reflected(const ShadingPoint& point, const Media& media, const gr::LightSample<float>& sample,
                    const Rayf& shadowRay, RayCounts& rays) const {
@@ -160,7 +172,7 @@ private:
         if (light == Rgbf(0)) return light;
         ++rays.shadow;
         if (accelerator_.occluded(shadowRay, rays.traversal)) return Rgbf(0);
-        return light * media.transmittance(glm::length(shadowRay.direction));
+        return light * media.transmittance(glm::length(shadowRay.direction) * shadowRay.tMax);
     }
 
     const gr::Scene& scene_;

@@ -1,0 +1,74 @@
+#include "image/radiances.h"
+
+#include "core/error.h"
+#include "core/option.h"
+#include "core/srgb.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace image {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& why) {
+    throw core::Error("SKY", "PICTURE", path, "cannot take light from \"" + path + "\": " + why);
+}
+
+// What is wrong with a number, or nothing.
+std::string faultOf(float x, float most) {
+    if (!std::isfinite(x)) return "is not finite";
+    if (x < 0) return "is negative";
+    return x > most ? "is greater than " + core::numberText(most) : "";
+}
+
+}  // namespace
+
+std::vector<float> linearNumbers(const Image& image, const ImageChannel& channel, bool isCovering) {
+    const auto linear = [&](double x) {
+        return isCovering ? x : image.gamma == 0 ? core::decodeSrgb(x) : std::pow(x, 1 / image.gamma);
+    };
+    const auto convert = [&]<class Number>(const std::vector<Number>& numbers) {
+        if constexpr (std::is_same_v<Number, float>) {
+            return numbers;
+        } else {
+            constexpr int most = std::numeric_limits<Number>::max();
+            std::vector<float> table(most + 1), floats(numbers.size());
+            for (int i = 0; i <= most; ++i)
+                table[static_cast<std::size_t>(i)] = static_cast<float>(linear(i / double(most)));
+            std::transform(numbers.begin(), numbers.end(), floats.begin(), [&](Number i) { return table[i]; });
+            return floats;
+        }
+    };
+    return std::visit(convert, channel.samples);
+}
+
+std::vector<core::Rgbf> radiancesOf(const Image& image, const std::string& path, float most) {
+    if (image.isPart && image.held != image.whole) fail(path, "it holds only a part of its picture");
+    const bool isGrey = image.find("R") == nullptr && image.find("Y") != nullptr;
+    std::vector<core::Rgbf> radiances(image.pixels());
+    for (int c = 0; c < 3; ++c) {
+        const ImageChannel* channel = image.find(isGrey ? "Y" : std::string(1, "RGB"[c]));
+        if (channel == nullptr) fail(path, "it has the channels " + image.channelNames() + ", not R, G and B");
+        const std::vector<float> numbers = linearNumbers(image, *channel);
+        for (std::size_t i = 0; i < numbers.size(); ++i) radiances[i][c] = numbers[i];
+    }
+    // A PNG's colours are those of the pixel where it is covered; an OpenEXR file's already are what shows.
+    const ImageChannel* alpha = image.find("A");
+    if (alpha != nullptr && !std::holds_alternative<std::vector<float>>(alpha->samples)) {
+        const std::vector<float> coverage = linearNumbers(image, *alpha, true);
+        for (std::size_t i = 0; i < coverage.size(); ++i) radiances[i] *= coverage[i];
+    }
+    const auto width = static_cast<std::size_t>(image.held.width);
+    bool isBlack = true;
+    for (std::size_t i = 0; i < radiances.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const float number = radiances[i][c];
+            if (const std::string fault = faultOf(number, most); !fault.empty())
+                fail(path, "its pixel " + std::to_string(i % width) + " " + std::to_string(i / width) + " " + fault);
+            isBlack &= number == 0;
+        }
+    if (isBlack) fail(path, "it is black all over");
+    return radiances;
+}
+
+}  // namespace image
