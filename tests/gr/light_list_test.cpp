@@ -47,6 +47,22 @@ struct ANode : PointLight {
     void text() const = delete;
 };
 
+// An endless light needs no place, but tells what is seen of it.
+struct Beyond : PointLight {
+    static constexpr bool isEndless = true;
+    void shadowEnd(const core::Vec3f&, const core::Vec3f&) const = delete;
+    void bounds() const = delete;
+    void falloff() const = delete;
+    void moveBy(const core::Vec3f&) = delete;
+};
+struct UnseenThoughMet : Beyond {
+    static constexpr bool canBeMet = true;
+};
+struct SeenBeyond : UnseenThoughMet {
+    Seen<float> seen(const core::Vec3f&) const { return {}; }
+};
+static_assert(CompleteLight<Beyond> && !CompleteLight<UnseenThoughMet> && CompleteLight<SeenBeyond>);
+
 static_assert(CompleteLight<AreaLight> && CompleteLight<PointLight> && CompleteLight<MetAndComplete> &&
               CompleteLight<ANode>);
 static_assert(!CompleteLight<WithoutSample> && !CompleteLight<WithoutShadowEnd> && !CompleteLight<WithoutDivideBy> &&
@@ -54,7 +70,7 @@ static_assert(!CompleteLight<WithoutSample> && !CompleteLight<WithoutShadowEnd> 
               !CompleteLight<WithoutText> && !CompleteLight<WithOneNumberUntold> && !CompleteLight<MetWithoutDensity> &&
               !CompleteLight<MetWithoutEmission>);
 
-static_assert(std::is_same_v<NamedLight, std::variant<PointLight>>);
+static_assert(std::is_same_v<NamedLight, std::variant<PointLight, SpotLight, SunLight, ParallelLight>>);
 
 TEST(LightList, CountsKindAfterKind) {
     Lights lights;
@@ -63,7 +79,9 @@ TEST(LightList, CountsKindAfterKind) {
     lights.of<PointLight>().push_back({core::Vec3f(1), core::Rgbf(1), {0, 0, 1}});
     for (int i = 0; i < 3; ++i) lights.of<AreaLight>().push_back({});
     lights.of<PointLight>().push_back({core::Vec3f(2), core::Rgbf(1), {0, 0, 1}});
-    EXPECT_EQ(lights.size(), 5u);
+    lights.of<ParallelLight>().push_back(ParallelLight::make({0, -1, 0}, core::Rgbf(1)));
+    EXPECT_EQ(lights.size(), 6u);
+    EXPECT_EQ(lights.placed(), 5u);
     EXPECT_GE(lights.bytes(), 3 * sizeof(AreaLight) + 2 * sizeof(PointLight));
 
     // Lamps come first: a surface knows its lamp by the index in their array.
@@ -72,12 +90,12 @@ TEST(LightList, CountsKindAfterKind) {
         firsts.push_back(first);
         counts.push_back(all.size());
     });
-    EXPECT_EQ(firsts, (std::vector<std::size_t>{0, 3}));
-    EXPECT_EQ(counts, (std::vector<std::size_t>{3, 2}));
+    EXPECT_EQ(firsts, (std::vector<std::size_t>{0, 3, 5, 5, 5, 6}));
+    EXPECT_EQ(counts, (std::vector<std::size_t>{3, 2, 0, 0, 1, 0}));
 
     std::vector<double> powers;
     lights.forEach([&](const auto& light) { powers.push_back(light.power()); });
-    ASSERT_EQ(powers.size(), 5u);
+    ASSERT_EQ(powers.size(), 6u);
     EXPECT_EQ(powers[2], 0);
     EXPECT_NEAR(powers[3], M_PI, 1e-6);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gr/light.h"
+#include "gr/sky_pictures.h"
 #include "lanes/both_widths.h"
 #include "render/transport/light_node.h"
 
@@ -89,6 +90,80 @@ TEST(LanesPointLight, IsGathered) {
         for (int axis = 0; axis < 3; ++axis) numbers[static_cast<std::size_t>(10 + axis)] = end[axis];
         return numbers;
     });
+}
+
+std::array<gr::SunLight, 2> suns() {
+    return {gr::SunLight::make({1, -2, 0.3}, {3, 2, 1}, 0.53), gr::SunLight::make({0, 0, 1}, {0, 2, 1}, 150)};
+}
+
+// What endless lights send to where they are seen, and what they answer.
+TEST(LanesEndlessLight, GivesTheSameLight) {
+    const gr::SkyGrid smooth = gr::smoothSky(), spotted = gr::spottedSky();
+    const gr::SkyLight skies[] = {gr::lightOf(smooth, 0.3), gr::lightOf(spotted)};
+    const auto check = [](const auto& light) {
+        Inputs inputs(16);
+        const auto points = makeInputs<5>(count, [&] {
+            core::Vec3f wi = glm::normalize(inputs.point(1));
+            if (inputs.chance(0.1)) wi = {0, inputs.chance(0.5) ? 1 : -1, 0};
+            if (inputs.chance(0.1)) wi = {0, 0, inputs.chance(0.5) ? 1 : -1};
+            return Numbers<5>{wi.x, wi.y, wi.z, inputs.unit(), inputs.unit()};
+        });
+        expectSame(points, [&]<class Real>(const std::array<Real, 5>& x) {
+            const auto lights = gr::broadcast<Real>(light);
+            const auto seen = lights.seen(vectorAt(x.data()));
+            std::array<Real, 14> numbers;
+            std::copy_n(numbersOf(lights.sample(vectorAt(x.data()), core::Vec2<Real>(x[3], x[4]))).begin(), 10,
+                        numbers.begin());
+            numbers[10] = seen.radiance.x;
+            numbers[11] = seen.radiance.y;
+            numbers[12] = seen.radiance.z;
+            numbers[13] = seen.pdfW;
+            return numbers;
+        });
+    };
+    for (const gr::SkyLight& sky : skies) check(sky);
+    for (const gr::SunLight& sun : suns()) check(sun);
+}
+
+// Each lane its own, where chance has picked them.
+TEST(LanesEndlessLight, IsGathered) {
+    const gr::SkyGrid grid = gr::smoothSky();
+    const std::vector<gr::SkyLight> skies{gr::lightOf(grid, 0.1)};
+    const auto all = suns();
+    Inputs inputs(17);
+    const auto points = makeInputs<4>(count, [&] {
+        return Numbers<4>{inputs.unit(), inputs.unit(), inputs.unit(), std::floor(inputs.uniform(0, 1.99f))};
+    });
+    expectSame(points, [&]<class Real>(const std::array<Real, 4>& x) {
+        auto sky = gr::gathered<Real>(skies.data(), core::UInt<Real>(0));
+        auto sun = gr::gathered<Real>(all.data(), core::toUInt(x[3]));
+        sky.divideBy(x[2]);
+        sun.divideBy(x[2]);
+        std::array<Real, 20> numbers;
+        const core::Vec2<Real> u(x[0], x[1]);
+        std::copy_n(numbersOf(sky.sample(vectorAt(x.data()), u)).begin(), 10, numbers.begin());
+        std::copy_n(numbersOf(sun.sample(vectorAt(x.data()), u)).begin(), 10, numbers.begin() + 10);
+        return numbers;
+    });
+}
+
+TEST(LanesSpotLight, GivesTheSameLight) {
+    Inputs inputs(18);
+    std::vector<gr::SpotLight> lights;
+    for (int i = 0; i < 100; ++i)
+        lights.push_back(gr::SpotLight::make(
+            {inputs.point(5), glm::abs(inputs.point(9)), {inputs.unit(), 0, inputs.unit()}},
+            glm::dvec3(inputs.point(1)), 180 * inputs.unit() + 1e-3, inputs.chance(0.2) ? 0 : inputs.unit()));
+    const auto points = makeInputs<4>(count, [&] {
+        const core::Vec3f from = inputs.point(5);
+        return Numbers<4>{from.x, from.y, from.z, std::floor(inputs.uniform(0, 99.9f))};
+    });
+    const auto samples = expectSame(points, [&]<class Real>(const std::array<Real, 4>& x) {
+        return numbersOf(gr::gathered<Real>(lights.data(), core::toUInt(x[3])).sample(vectorAt(x.data())));
+    });
+    const auto dark = std::count_if(samples.begin(), samples.end(), [](const auto& s) { return s[6] == 0; });
+    EXPECT_GT(dark, count / 10);
+    EXPECT_LT(dark, count * 99 / 100);
 }
 
 // From within the ball, on its rim, before, beside and behind it; with narrow cones, wide ones and whole spheres.

@@ -8,6 +8,7 @@
 // bounces through a surface that is shaded with other normals.
 #include "render/same_light.h"
 
+#include "gr/sky_pictures.h"
 #include "materials/parameter_sets.h"
 
 namespace render {
@@ -70,6 +71,17 @@ struct Room : SameLight {
         scene.add("smooth", gr::PolyhedronNode{smoothBall()}, reflectance);
         scene.database.translate(":smooth", centre);
         scene.database.scale(":smooth", glm::dvec3(0), {0.9, 1, 0.9});
+    }
+    // No room, but a floor, under a sky that has a bright place.
+    void openToSky() {
+        scene.database.remove(":room");
+        scene.database.remove(":lamp");
+        scene.add("floor", gr::BoxNode{{-9, -2.1, -9}, {18, 0.1, 18}}, core::Rgbf(0.6f));
+        const auto radiance = [](double u, double v) {
+            const bool isBright = std::abs(u - 0.7) < 0.1 && std::abs(v - 0.3) < 0.1;
+            return core::Rgbf(isBright ? 4 : 0.4, 0.5, 0.9 - 0.5 * v);
+        };
+        scene.sky = {std::make_shared<gr::SkyGrid>(gr::skyOf(20, 10, radiance)), 30};
     }
     // Glass, metal and plaster; a mesh, too.
     void addAll() {
@@ -224,6 +236,55 @@ constexpr Change changes[] = {
          r.scene.addPointLight("one", {{-1.5f, 1.5f, 1.2f}, core::Rgbf(0.5f), {0, 0, 1}});
          r.scene.addPointLight("two", {{1.5f, 0, 1.6f}, core::Rgbf(0.2f, 0.4f, 0.6f), {1, 0, 0}});
          r.scene.settings.samplesPerLightSource = 3;
+     }},
+    {"Sky", [](Room& r) { r.openToSky(); }},
+    {"Sky3Samples",
+     [](Room& r) {
+         r.openToSky();
+         r.scene.settings.samplesPerLightSource = 3;
+     }},
+    {"SkyOnALens",
+     [](Room& r) {
+         r.openToSky();
+         r.scene.settings.depthOfField = true;
+         r.scene.settings.aperture = 0.15;
+         r.scene.settings.focalDistance = 2.5;
+     }},
+    {"SkyAndBackground",
+     [](Room& r) {
+         r.openToSky();
+         r.scene.settings.background = core::Rgbf(0.5f, 0.2f, 0.1f);
+     }},
+    {"SkySunsAndSpot",
+     [](Room& r) {
+         r.openToSky();
+         r.scene.addLight("disc", gr::SunLight::make({-1, -1, 0.4}, core::Rgbf(0.7f, 0.5f, 0.3f), 20));
+         r.scene.addLight("point", gr::ParallelLight::make({0.3, -1, -0.4}, core::Rgbf(0.1f, 0.2f, 0.4f)));
+         r.scene.addLight("spot", gr::SpotLight::make({{0, 2, 1}, core::Rgbf(2), {0, 0, 1}}, {0, -1, -0.4}, 60, 0.5));
+     }},
+    {"SkySunsAndLampsThatChancePicks",
+     [](Room& r) {
+         r.openToSky();
+         r.addLampsAllAround();
+         r.scene.addLight("disc", gr::SunLight::make({-1, -1, 0.4}, core::Rgbf(0.7f, 0.5f, 0.3f), 20));
+         r.scene.addLight("point", gr::ParallelLight::make({0.3, -1, -0.4}, core::Rgbf(0.1f, 0.2f, 0.4f)));
+         r.scene.settings.samplesPerLightSource = 2;
+     }},
+    {"SunsAloneThatChancePicks",
+     [](Room& r) {
+         r.openToSky();
+         r.scene.sky = {};
+         for (int i = 0; i < 6; ++i)
+             r.scene.addLight("sun" + std::to_string(i),
+                              gr::SunLight::make({i - 2.5, -2, 0.7 * i - 2}, core::Rgbf(0.2f), 3 + 9 * i));
+     }},
+    {"Spots",
+     [](Room& r) {
+         for (int i = 0; i < 6; ++i)
+             r.scene.addLight(
+                 "spot" + std::to_string(i),
+                 gr::SpotLight::make({{0.5f * static_cast<float>(i) - 1, 1.5f, 0}, core::Rgbf(0.5f), {0, 0, 1}},
+                                     {i - 3., -2, 0.5}, 20 + 25 * i, 0.2 * i));
      }},
     {"MeshWithNormals",
      [](Room& r) {

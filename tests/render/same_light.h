@@ -75,7 +75,8 @@ struct SameLight {
     // The means of a hundred pictures are normal but far out in their tails, where a level for many tests lies. So what
     // differs is looked at again, with four times as many pictures of other seeds, and must differ once more.
     testing::AssertionResult holds(int pictures = gr::rayCount(150)) const {
-        const gr::Scene compiled = gr::compile(scene.database, ":", scene.pointLights);
+        const gr::Scene compiled =
+            gr::compile(scene.database, ":", scene.pointLights, gr::Origin::isTheWorlds, scene.sky);
         const auto accelerator = gr::makeAccelerator(scene.settings.acceleratorName(), compiled, 1);
         const double focus = scene.settings.focalDistance.value_or(1);
         Camera camera({eye, view, {0, 1, 0}, 70, sameLightWidth, sameLightHeight, projection, focus});

@@ -15,7 +15,8 @@ struct TestScene {
     gr::Database database;
     RenderSettings settings;
     core::Rgbf ambient{0};
-    std::vector<std::string> pointLights;
+    std::vector<std::string> pointLights;  // and all others that have names
+    gr::Sky sky;
 
     void add(const std::string& name, const gr::NodeContent& content, const materials::Material& material) {
         database.create(":", name, content);
@@ -40,7 +41,8 @@ struct TestScene {
     void addAreaLight(const std::string& name, const core::Rgbf& radiance, const glm::dvec3& centre, double size) {
         database.create(":", name, gr::AreaLightNode{radiance, centre, size});
     }
-    void addPointLight(const std::string& name, const gr::PointLight& light) {
+    void addPointLight(const std::string& name, const gr::PointLight& light) { addLight(name, light); }
+    void addLight(const std::string& name, const gr::NamedLight& light) {
         database.addLight(name, light);
         pointLights.push_back(name);
     }
@@ -58,7 +60,7 @@ public:
 
     // eye: only where there are dielectrics does it matter. Rays from elsewhere are right too, and slower.
     explicit Radiometer(const TestScene& scene, const glm::dvec3& eye = {0, 0, 0})
-        : scene_(gr::compile(scene.database, ":", scene.pointLights)),
+        : scene_(gr::compile(scene.database, ":", scene.pointLights, gr::Origin::isTheWorlds, scene.sky)),
           accelerator_(gr::makeNoAccelerator(scene_)),
           integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient,
                                            startsOf(scene.settings, core::Vec3f(eye)))),
