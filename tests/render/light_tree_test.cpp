@@ -77,7 +77,9 @@ private:
     template<class F>
     void visit(std::size_t index, F&& f) const {
         lights_.forEachKind([&](const auto& all, std::size_t first) {
-            if (index >= first && index < first + all.size()) f(all[index - first]);
+            using Kind = typename std::decay_t<decltype(all)>::value_type;
+            if constexpr (std::is_same_v<Kind, gr::AreaLight> || std::is_same_v<Kind, gr::PointLight>)
+                if (index >= first && index < first + all.size()) f(all[index - first]);
         });
     }
 

@@ -81,7 +81,7 @@ struct Room : SameLight {
             const bool isBright = std::abs(u - 0.7) < 0.1 && std::abs(v - 0.3) < 0.1;
             return core::Rgbf(isBright ? 4 : 0.4, 0.5, 0.9 - 0.5 * v);
         };
-        scene.sky = {std::make_shared<gr::SkyGrid>(gr::skyOf(20, 10, radiance)), 30};
+        scene.aroundIt = {std::make_shared<gr::SkyGrid>(gr::skyOf(20, 10, radiance)), 30};
     }
     // Glass, metal and plaster; a mesh, too.
     void addAll() {
@@ -273,7 +273,7 @@ constexpr Change changes[] = {
     {"SunsAloneThatChancePicks",
      [](Room& r) {
          r.openToSky();
-         r.scene.sky = {};
+         r.scene.aroundIt = {};
          for (int i = 0; i < 6; ++i)
              r.scene.addLight("sun" + std::to_string(i),
                               gr::SunLight::make({i - 2.5, -2, 0.7 * i - 2}, core::Rgbf(0.2f), 3 + 9 * i));

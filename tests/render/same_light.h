@@ -76,7 +76,7 @@ struct SameLight {
     // differs is looked at again, with four times as many pictures of other seeds, and must differ once more.
     testing::AssertionResult holds(int pictures = gr::rayCount(150)) const {
         const gr::Scene compiled =
-            gr::compile(scene.database, ":", scene.pointLights, gr::Origin::isTheWorlds, scene.sky);
+            gr::compile(scene.database, ":", scene.pointLights, gr::Origin::isTheWorlds, scene.aroundIt);
         const auto accelerator = gr::makeAccelerator(scene.settings.acceleratorName(), compiled, 1);
         const double focus = scene.settings.focalDistance.value_or(1);
         Camera camera({eye, view, {0, 1, 0}, 70, sameLightWidth, sameLightHeight, projection, focus});

@@ -14,7 +14,7 @@ using materials::Dielectric;
 struct SkyScene : TestScene {
     template<class F>
     void setSky(int width, int height, F&& f, double degrees = 0) {
-        sky = {std::make_shared<gr::SkyGrid>(gr::skyOf(width, height, std::forward<F>(f))), degrees};
+        aroundIt = {std::make_shared<gr::SkyGrid>(gr::skyOf(width, height, std::forward<F>(f))), degrees};
     }
     void addFloor(const core::Rgbf& reflectance) {
         add("floor", gr::BoxNode{{-50, -1, -50}, {100, 1, 100}}, reflectance);
@@ -75,7 +75,7 @@ TEST_P(SkyLight, OnAFloorIsThatOfQuadrature) {
     };
     scene.setSky(64, 32, radiance, 50);
     scene.addFloor(core::Rgbf(1));
-    const gr::SkyGrid& grid = *scene.sky.grid;
+    const gr::SkyGrid& grid = *scene.aroundIt.grid;
     for (int c = 0; c < 3; ++c) {
         // dw = sin du dv 2 pi^2; over pi.
         double expected = 0;

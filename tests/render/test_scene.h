@@ -16,7 +16,7 @@ struct TestScene {
     RenderSettings settings;
     core::Rgbf ambient{0};
     std::vector<std::string> pointLights;  // and all others that have names
-    gr::Sky sky;
+    gr::Sky aroundIt;
 
     void add(const std::string& name, const gr::NodeContent& content, const materials::Material& material) {
         database.create(":", name, content);
@@ -60,7 +60,7 @@ public:
 
     // eye: only where there are dielectrics does it matter. Rays from elsewhere are right too, and slower.
     explicit Radiometer(const TestScene& scene, const glm::dvec3& eye = {0, 0, 0})
-        : scene_(gr::compile(scene.database, ":", scene.pointLights, gr::Origin::isTheWorlds, scene.sky)),
+        : scene_(gr::compile(scene.database, ":", scene.pointLights, gr::Origin::isTheWorlds, scene.aroundIt)),
           accelerator_(gr::makeNoAccelerator(scene_)),
           integrator_(makeReportIntegrator(scene_, *accelerator_, scene.settings, scene.ambient,
                                            startsOf(scene.settings, core::Vec3f(eye)))),
