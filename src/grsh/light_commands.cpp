@@ -86,7 +86,8 @@ struct LightWords {
 
 void checkDirection(const glm::dvec3& direction, std::string_view what) {
     if (direction != glm::dvec3(0)) return;
-    throw core::Error("VALUE", "RANGE", "0 0 0", std::string(what) + " must be a direction, not of length 0, not \"0 0 0\"");
+    throw core::Error("VALUE", "RANGE", "0 0 0",
+                      std::string(what) + " must be a direction, not of length 0, not \"0 0 0\"");
 }
 
 gr::NamedLight spotOf(const gr::PointLight& point, const SpotSettings& settings) {
@@ -117,7 +118,8 @@ Tcl_Obj* makeLight(Call& call) {
 Tcl_Obj* makeSun(Call& call) {
     const LightWords<SunSettings> words(call, 2);
     const glm::dvec3 along = call.words.vector(words.name + 1, "direction", place);
-    if (along == glm::dvec3(0)) throwBadValue("direction", "of a length other than 0", call.words.object(words.name + 1));
+    if (along == glm::dvec3(0))
+        throwBadValue("direction", "of a length other than 0", call.words.object(words.name + 1));
     const core::Rgbf colour = call.words.colour(words.name + 2, "colour", amount);
     if (words.settings.angle == 0) return words.put(call, gr::ParallelLight::make(along, colour));
     return words.put(call, gr::SunLight::make(along, colour, words.settings.angle));

@@ -14,6 +14,17 @@ namespace {
     throw core::Error("SKY", "PICTURE", path, "cannot take light from \"" + path + "\": " + why);
 }
 
+// A PNG does not tell its whole size where it says where it belongs; those of gr_render do so by a text.
+bool isOnlyPart(const Image& image) {
+    if (!image.isPart) return false;
+    const auto says = [&](const char* key, int number) {
+        return std::ranges::any_of(image.metadata, [&](const auto& text) {
+            return text.first == key && text.second != std::to_string(number);
+        });
+    };
+    return image.held != image.whole || says("grsh:width", image.held.width) || says("grsh:height", image.held.height);
+}
+
 // What is wrong with a number, or nothing.
 std::string faultOf(float x, float most) {
     if (!std::isfinite(x)) return "is not finite";
@@ -43,7 +54,7 @@ std::vector<float> linearNumbers(const Image& image, const ImageChannel& channel
 }
 
 std::vector<core::Rgbf> radiancesOf(const Image& image, const std::string& path, float most) {
-    if (image.isPart && image.held != image.whole) fail(path, "it holds only a part of its picture");
+    if (isOnlyPart(image)) fail(path, "it holds only a part of its picture");
     const bool isGrey = image.find("R") == nullptr && image.find("Y") != nullptr;
     std::vector<core::Rgbf> radiances(image.pixels());
     for (int c = 0; c < 3; ++c) {

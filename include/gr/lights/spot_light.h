@@ -65,7 +65,7 @@ struct SpotLightOf {
     void moveBy(const core::Vec3<Real>& way) { point.moveBy(way); }
     std::string text() const {
         return "spot" + point.text().substr(std::string("point").size()) + " towards {" + core::optionText(along) +
-               "} angle " + core::optionText(degrees) + " softness " + core::optionText(softness);
+               "} angle " + core::numberText(degrees) + " softness " + core::numberText(softness);
     }
 };
 using SpotLight = SpotLightOf<float>;

@@ -61,7 +61,7 @@ struct SunLightOf {
 
     std::string text() const {
         return "sun {" + core::optionText(along) + "} {" + core::optionText(colour) + "} angle " +
-               core::optionText(degrees);
+               core::numberText(degrees);
     }
 };
 using SunLight = SunLightOf<float>;
