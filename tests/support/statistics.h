@@ -8,7 +8,7 @@ namespace support {
 
 // How many statistical tests the whole suite runs. Raise it when adding tests: a test that runs once per material,
 // shape or image counts once for each. Every level below follows from it.
-constexpr int statisticalTests = 676;
+constexpr int statisticalTests = 717;
 
 // The chance that a correct program fails any of those tests.
 constexpr double suiteSignificance = 0.01;
