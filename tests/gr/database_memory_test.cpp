@@ -27,21 +27,21 @@ void countNew(std::int64_t chunk) {
 
 }  // namespace
 
-// The array, nothrow and sized forms call these two; over-aligned memory is not counted.
-void* operator new(std::size_t size) {
+// The array, nothrow and sized forms call these two; over-aligned memory is not counted. None of them is inlined: else
+// g++ takes free for that of another kind of memory.
+[[gnu::noinline]] void* operator new(std::size_t size) {
     void* memory = std::malloc(size == 0 ? 1 : size);
     if (memory == nullptr) throw std::bad_alloc();
     countNew(chunkSize(memory));
     return memory;
 }
 
-// Not inlined, as operator new is not: else g++ takes free for that of another kind of memory.
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
     bytesInUse.fetch_sub(chunkSize(memory), std::memory_order_relaxed);
     std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     operator delete(memory);
 }
 
