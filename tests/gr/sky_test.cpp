@@ -99,7 +99,9 @@ TEST(SkyLight, NothingIsLostOfWhatIsBright) {
         const Vec3f wi(sine * std::sin(2 * core::pi * turns), std::cos(core::pi * v),
                        sine * std::cos(2 * core::pi * turns));
         const auto seen = light.seen(wi);
-        if (seen.radiance.x > 1e-3f) ASSERT_GT(seen.pdfW, 0);
+        if (seen.radiance.x > 1e-3f) {
+            ASSERT_GT(seen.pdfW, 0);
+        }
     }
 }
 
