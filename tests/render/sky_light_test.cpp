@@ -100,8 +100,8 @@ TEST_P(SkyLight, IsHiddenByWhatStandsBefore) {
     scene.addFloor(core::Rgbf(1));
     EXPECT_TRUE(converges(Radiometer(scene), down, even));
     // A wall without end on one side takes half of it; it stands at the edge of what there is.
-    scene.addPolygon("wall", {{0.1, 0, -100}, {0.1, 0, 100}, {0.1, 100, 100}, {0.1, 100, -100}}, core::Rgbf(0));
-    const core::Rayf beside{{0.102f, 2, 0.2f}, {0, -1, 0}};
+    scene.addPolygon("wall", {{50, 0, -100}, {50, 0, 100}, {50, 100, 100}, {50, 100, -100}}, core::Rgbf(0));
+    const core::Rayf beside{{49.99f, 2, 0.2f}, {0, -1, 0}};
     EXPECT_TRUE(converges(Radiometer(scene), beside, even * 0.5f));
 }
 
