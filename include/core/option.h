@@ -2,6 +2,7 @@
 // gr_help, docs/language.md and a picture's metadata come from it.
 #pragma once
 
+#include "core/textured.h"
 #include "core/vec.h"
 
 #include <array>
@@ -43,13 +44,33 @@ using WordList = std::vector<Word>;
 // Four weights that sum to 1.
 using Weights = std::array<float, 4>;
 
+// Factors along three axes, one number standing for all.
+struct Scaling {
+    glm::dvec3 by{1};
+};
+
+// A body of the scene's own language, which is run by who reads it.
+struct Script {
+    std::string body;
+};
+
+// Colours, or textures in their place, at places from 0 to 1 in rising order; between them they are mixed.
+struct ColourStop {
+    double place = 0;
+    Textured<Rgbf> colour;
+};
+using ColourStops = std::vector<ColourStop>;
+using ColourPair = std::array<Textured<Rgbf>, 2>;
+
 // Where in Owner an option is kept, and so its type. Owner's default value is the option's.
 template<class Owner>
 using OptionMember =
     std::variant<bool Owner::*, int Owner::*, std::uint64_t Owner::*, double Owner::*, Rgbf Owner::*, Vec2f Owner::*,
                  std::optional<int> Owner::*, std::optional<double> Owner::*, std::optional<glm::dvec3> Owner::*,
                  std::optional<Weights> Owner::*, Word Owner::*, WordList Owner::*, std::string Owner::*,
-                 std::vector<glm::dvec3> Owner::*, std::vector<Rgbf> Owner::*, std::vector<Vec2f> Owner::*>;
+                 std::vector<glm::dvec3> Owner::*, std::vector<Rgbf> Owner::*, std::vector<Vec2f> Owner::*,
+                 Textured<Rgbf> Owner::*, Textured<double> Owner::*, Textured<Vec2f> Owner::*, glm::dvec3 Owner::*,
+                 Scaling Owner::*, Script Owner::*, ColourPair Owner::*, ColourStops Owner::*>;
 
 template<class Owner>
 struct OptionRow {
@@ -122,6 +143,31 @@ inline std::string optionText(const std::optional<glm::dvec3>& v) {
     return v ? numberText(v->x) + " " + numberText(v->y) + " " + numberText(v->z) : "";
 }
 
+inline std::string optionText(const glm::dvec3& v) {
+    return numberText(v.x) + " " + numberText(v.y) + " " + numberText(v.z);
+}
+inline std::string optionText(const Scaling& scaling) {
+    const glm::dvec3& by = scaling.by;
+    return by.x == by.y && by.y == by.z ? numberText(by.x) : optionText(by);
+}
+inline std::string optionText(const Script& script) {
+    return script.body;
+}
+// A texture has a name, which only the scene knows.
+template<class Value>
+std::string optionText(const Textured<Value>& value) {
+    return value.texture != nullptr ? "texture" : optionText(value.value);
+}
+inline std::string optionText(const ColourPair& pair) {
+    return "{" + optionText(pair[0]) + "} {" + optionText(pair[1]) + "}";
+}
+inline std::string optionText(const ColourStops& stops) {
+    std::string text;
+    for (const ColourStop& stop : stops)
+        text += (text.empty() ? "" : " ") + numberText(stop.place) + " {" + optionText(stop.colour) + "}";
+    return text;
+}
+
 // The value that an owner has for a row, as the scene language writes it (a colour without its braces).
 template<class Owner>
 std::string optionText(const OptionRow<Owner>& row, const Owner& owner) {
@@ -134,6 +180,11 @@ std::string defaultText(const OptionRow<Owner>& row) {
     const std::string text = optionText(row, Owner{});
     const bool isList = std::holds_alternative<Rgbf Owner::*>(row.member) ||
                         std::holds_alternative<Vec2f Owner::*>(row.member) ||
+                        std::holds_alternative<Textured<Rgbf> Owner::*>(row.member) ||
+                        std::holds_alternative<Textured<Vec2f> Owner::*>(row.member) ||
+                        std::holds_alternative<glm::dvec3 Owner::*>(row.member) ||
+                        std::holds_alternative<ColourPair Owner::*>(row.member) ||
+                        std::holds_alternative<ColourStops Owner::*>(row.member) ||
                         std::holds_alternative<WordList Owner::*>(row.member);
     return isList ? "{" + text + "}" : text;
 }
@@ -158,6 +209,14 @@ std::string typeText(const OptionRow<Owner>& row) {
         std::string operator()(std::vector<glm::dvec3> Owner::*) const { return std::string(form); }
         std::string operator()(std::vector<Rgbf> Owner::*) const { return std::string(form); }
         std::string operator()(std::vector<Vec2f> Owner::*) const { return std::string(form); }
+        std::string operator()(Textured<Rgbf> Owner::*) const { return "{r g b}|texture"; }
+        std::string operator()(Textured<double> Owner::*) const { return "number|texture"; }
+        std::string operator()(Textured<Vec2f> Owner::*) const { return std::string(form) + "|texture"; }
+        std::string operator()(glm::dvec3 Owner::*) const { return form.empty() ? "{x y z}" : std::string(form); }
+        std::string operator()(Scaling Owner::*) const { return "number|{x y z}"; }
+        std::string operator()(Script Owner::*) const { return "script"; }
+        std::string operator()(ColourPair Owner::*) const { return "{colour colour}"; }
+        std::string operator()(ColourStops Owner::*) const { return "{0 colour ... 1 colour}"; }
         std::string operator()(Word Owner::*) const {
             std::string text;
             for (const Word word : words) text += (text.empty() ? "" : "|") + std::string(word);

@@ -31,8 +31,10 @@ public:
     using Mask = core::Mask<Real>;
     using Vec3 = core::Vec3<Real>;
 
-    BodySurface(const Instance& instance, const core::Ray<Real>& ray, const HitOf<Real>& hit, const Mask& here)
-        : instance_(instance), ray_(ray), hit_(hit), here_(here) {
+    // instance: its index in the scene.
+    BodySurface(const Scene& scene, std::uint32_t instance, const core::Ray<Real>& ray, const HitOf<Real>& hit,
+                const Mask& here)
+        : scene_(scene), number_(instance), instance_(scene.instances[instance]), ray_(ray), hit_(hit), here_(here) {
         // Lanes that hit something else may have the number of a triangle that this mesh has not.
         hit_.triangle = core::selectUInt<Real>(here, hit.triangle, core::UInt<Real>(0));
     }
@@ -79,6 +81,9 @@ private:
         surface.uv.y = core::select(here_, coordinates.uv.y, surface.uv.y);
         const Vec3 tangent = instance_.place.worldFromObject().vector(coordinates.tangent);
         surface.tangent = core::select(here_, tangent, surface.tangent);
+        if (scene_.nodeSpaces.empty()) return;
+        const Vec3 inNode = scene_.nodeSpaces[number_].point(own.position);
+        surface.inNode = core::select(here_, inNode, surface.inNode);
     }
 
     // How far a step off the surface leads along each of the object's axes. Where the error is the same along all axes
@@ -110,9 +115,9 @@ private:
             return Real(0) <= Real(0);
     }
     template<class Shape>
-    static Coordinates<Real> coordinatesOf(const Shape& shape, const ShapePoint<Real>& point) {
+    Coordinates<Real> coordinatesOf(const Shape& shape, const ShapePoint<Real>& point) const {
         if constexpr (std::is_same_v<Shape, const Polyhedron*>)
-            return shape->coordinatesAt(point);
+            return shape->template coordinatesAt<Real>(point, hit_);
         else
             return shape.coordinatesAt(point);
     }
@@ -133,6 +138,8 @@ private:
         isSmooth = isSmooth | isGiven;
     }
 
+    const Scene& scene_;
+    const std::uint32_t number_;
     const Instance& instance_;
     const core::Ray<Real>& ray_;
     HitOf<Real> hit_;

@@ -86,8 +86,11 @@ class Scene {
 public:
     std::vector<Instance> instances;
     std::vector<std::unique_ptr<const Placement::General>> placements;  // of the instances that need one
+    // From each instance's own space to that of the node that made it. Empty where no material has a texture.
+    std::vector<core::Transform> nodeSpaces;
     std::vector<materials::Material> materials;
     std::vector<std::optional<materials::Interior>> interiors;  // of the materials
+    std::vector<std::vector<materials::TextureUse>> textures;  // of the materials; empty where none has any
     Lights lights;
     std::shared_ptr<const SkyGrid> sky;  // of the light that is one, or null
     std::vector<std::shared_ptr<const Polyhedron>> polyhedra;
@@ -101,13 +104,14 @@ public:
     FaceList faces;
     std::vector<std::uint32_t> large, bodies;
 
-    // Where the ray met what an accelerator over all instances found. wantsCoordinates: uv and tangent.
+    // Where the ray met what an accelerator over all instances found. wantsCoordinates: uv, tangent and inNode.
     SurfacePoint<float> surfaceAt(const core::Rayf& ray, const Hit& hit, bool wantsCoordinates = true) const;
     // What is inside of a material, or null. One material's is told from another's by its address.
     const materials::Interior* interiorOf(std::uint32_t material) const {
         return interiors[material] ? &*interiors[material] : nullptr;
     }
     bool hasInteriors() const;
+    bool hasTextures() const { return !textures.empty(); }
     std::size_t objectCount() const;  // shapes, and the triangles of meshes
     std::size_t bytes() const;
 };

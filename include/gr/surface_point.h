@@ -16,9 +16,11 @@ struct SurfacePoint {
     // Where light must arrive to be reflected: on the round shape that a smooth mesh stands for, on the ray's side of
     // the surface; the position everywhere else.
     core::Vec3<Real> lifted;
-    // Where on the surface, and in which direction u grows, not of unit length. Only where somebody asks for them.
+    // Where on the surface, in which direction u grows, not of unit length, and the place in the space of the node that
+    // made the object. Only where somebody asks for them.
     core::Vec2<Real> uv;
     core::Vec3<Real> tangent;
+    core::Vec3<Real> inNode;
     Real step;  // how far off the surface a ray must start or end: beyond all that rounding may have moved it
     Real material, light;  // indices into those of the scene; light is -1 where nothing shines
 

@@ -16,7 +16,7 @@ public:
     using Mask = core::Mask<Real>;
     using Vec3 = core::Vec3<Real>;
 
-    // Both must outlive it. wantsCoordinates: whether surfaces tell u, v and a tangent.
+    // Both must outlive it. wantsCoordinates: whether surfaces tell u, v, a tangent and inNode.
     Tracer(const Scene& scene, const Accelerator& accelerator, bool wantsCoordinates)
         : scene_(scene),
           accelerator_(accelerator),
@@ -68,7 +68,7 @@ public:
             core::forEachLane(rest, [&](int lane) { here |= std::uint32_t{ids[lane] == instance} << lane; });
             rest &= ~here;
             const Mask onInstance = core::maskOf<Real>(here);
-            BodySurface<Real>(scene_.instances[instance], ray, hit, onInstance).set(surface, wantsCoordinates_);
+            BodySurface<Real>(scene_, instance, ray, hit, onInstance).set(surface, wantsCoordinates_);
         }
         return surface;
     }

@@ -61,6 +61,7 @@ std::span<const Command> shapeCommands();
 std::span<const Command> meshCommands();
 std::span<const Command> nodeCommands();
 std::span<const Command> transformCommands();
+std::span<const Command> textureCommands();
 std::span<const Command> materialCommands();
 std::span<const Command> lightCommands();
 std::span<const Command> renderCommands();
@@ -75,6 +76,7 @@ std::vector<const Command*> allCommands();
 // What is known of the options that a command takes.
 struct OptionHelp;
 std::vector<OptionHelp> materialOptionsHelp();
+std::vector<OptionHelp> textureOptionsHelp();
 std::vector<OptionHelp> renderOptionsHelp();
 std::vector<OptionHelp> compareOptionsHelp();
 std::vector<OptionHelp> meshOptionsHelp();

@@ -1,6 +1,7 @@
 // Options in a command's words, read by their rows.
 #pragma once
 
+#include "grsh/texture_words.h"
 #include "grsh/words.h"
 
 #include <optional>
@@ -136,14 +137,72 @@ inline void readOption(core::WordList& value, Tcl_Obj* word, std::string_view wh
     }
 }
 
+inline void readOption(glm::dvec3& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    value = vectorFrom(word, what, range);
+}
+inline void readOption(core::Scaling& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                       std::span<const core::Word>) {
+    std::array<double, 3> numbers;
+    oneOrMoreFrom(word, what, range, numbers);
+    value.by = {numbers[0], numbers[1], numbers[2]};
+}
+inline void readOption(core::Script& value, Tcl_Obj* word, std::string_view, const core::Range&,
+                       std::span<const core::Word>) {
+    value.body = textOf(word);
+}
+
+// Where textures may stand, too; the row's place in its table is the slot.
+template<class Value>
+inline constexpr bool takesTextures =
+    core::isTextured<Value> || std::is_same_v<Value, core::ColourPair> || std::is_same_v<Value, core::ColourStops>;
+template<class Value>
+void readTextured(core::Textured<Value>& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                  const Textures* textures, std::size_t slot) {
+    if (auto texture = textureFrom(word, textures)) {
+        value = {std::move(texture), slot};
+        return;
+    }
+    Value plain{};
+    try {
+        readOption(plain, word, what, range, {});
+    } catch (const core::Error& error) {
+        throwNoTexture(error, word, textures);
+    }
+    value = plain;
+}
+inline void readTextured(core::ColourPair& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                         const Textures* textures, std::size_t slot) {
+    const auto elements = elementsOf(word, what, "a list of two colours");
+    if (elements.size() != 2) throwBadValue(what, "a list of two colours", word);
+    for (std::size_t i = 0; i < 2; ++i)
+        readTextured(value[i], elements[i], "each of " + std::string(what), range, textures, slot);
+}
+inline void readTextured(core::ColourStops& value, Tcl_Obj* word, std::string_view what, const core::Range& range,
+                         const Textures* textures, std::size_t slot) {
+    constexpr std::string_view expected = "a list of places and colours, {0 colour ... 1 colour}";
+    const auto elements = elementsOf(word, what, expected);
+    if (elements.empty() || elements.size() % 2 != 0) throwBadValue(what, expected, word);
+    value.clear();
+    for (std::size_t i = 0; i < elements.size(); i += 2) {
+        const std::string number = std::to_string(i / 2);
+        core::ColourStop& stop = value.emplace_back();
+        stop.place = numberFrom(elements[i], "place " + number + " of " + std::string(what), core::unitInterval);
+        if (i > 0 && stop.place < value[i / 2 - 1].place)
+            throwBadValue("place " + number + " of " + std::string(what), "at least the one before it", elements[i]);
+        readTextured(stop.colour, elements[i + 1], "colour " + number + " of " + std::string(what), range, textures,
+                     slot);
+    }
+}
+
 template<class Value>
 inline constexpr bool mayBeNone =
     std::is_same_v<Value, std::string> || std::is_same_v<Value, double> ||
     std::is_same_v<Value, std::optional<double>> || std::is_same_v<Value, std::optional<glm::dvec3>>;
 
-// An option's value, into owner.
+// An option's value, into owner. textures: those that the word may name, or null.
 template<class Owner>
-void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) {
+void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner, const Textures* textures = nullptr) {
     // Three amounts with a form of their own, like {ar ag ab}, are no colour.
     if (const auto* channels = std::get_if<core::Rgbf Owner::*>(&row.member);
         channels != nullptr && !row.form.empty()) {
@@ -160,7 +219,12 @@ void readOption(const core::OptionRow<Owner>& row, Tcl_Obj* word, Owner& owner) 
                 return;
             }
         }
-        readOption(owner.*member, word, row.name, row.range, row.words);
+        if constexpr (takesTextures<Value>) {
+            const auto slot = static_cast<std::size_t>(&row - Owner::options().data());
+            readTextured(owner.*member, word, row.name, row.range, textures, slot);
+        } else {
+            readOption(owner.*member, word, row.name, row.range, row.words);
+        }
     };
     std::visit(read, row.member);
 }
@@ -179,13 +243,14 @@ template<class Owner>
 // Reads the pairs of option and value from word `first` on into owner. Of an option that stands there twice the last
 // value counts, as everywhere in Tcl; so words may be put behind others to change what those say.
 template<class Owner>
-void readOptions(const Words& words, std::size_t first, std::string_view noOption, Owner& owner) {
+void readOptions(const Words& words, std::size_t first, std::string_view noOption, Owner& owner,
+                 const Textures* textures = nullptr) {
     for (std::size_t i = first; i < words.size(); i += 2) {
         const std::string word(words.text(i));
         const auto* row = findOption(Owner::options(), word);
         if (row == nullptr) throwNoOption<Owner>(word, noOption);
         if (i + 1 == words.size()) throw core::Error("OPTION", "VALUE", word, "option \"" + word + "\" needs a value");
-        readOption(*row, words.object(i + 1), owner);
+        readOption(*row, words.object(i + 1), owner, textures);
     }
 }
 

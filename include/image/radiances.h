@@ -6,14 +6,24 @@
 
 namespace image {
 
-// A channel's numbers as floats: those of a file of floats as they are, whole ones back from 0 to 1 by the curve that
-// the picture tells, sRGB's or a power; isCovering: but not those of alpha, which have gone through none.
-std::vector<float> linearNumbers(const Image& image, const ImageChannel& channel, bool isCovering = false);
+// How a picture's numbers stand for light.
+enum class NumberCurve {
+    asFile,  // floats in proportion; whole numbers as the file says, by a power or the curve of sRGB
+    srgb,  // all by that curve
+    none  // all in proportion
+};
 
-// The radiance of each pixel, line after line from the top; grey counts for all three channels. What is transparent
-// shows black behind it. Throws core::Error, naming the file and the first pixel, for numbers that are not finite,
-// negative or greater than `most`, for a picture that is black all over or has no colours, and for one that is a part
-// of a larger one.
+// A channel's numbers as floats; whole ones begin as 0 to 1.
+std::vector<float> linearNumbers(const Image& image, const ImageChannel& channel, NumberCurve curve);
+
+// Linear red, green and blue of each pixel, line after line from the top; grey counts for all three channels, alpha for
+// nothing. Throws core::Error, naming the file and the first pixel, for numbers that are not finite, negative or
+// greater than `most`, and for a picture without colours. what: light or colours, as the message calls it.
+std::vector<core::Rgbf> linearColours(const Image& image, const std::string& path, NumberCurve curve, float most,
+                                      std::string_view what = "colours");
+
+// The radiance of each pixel: its colour as the file says. What is transparent shows black behind it. Throws
+// core::Error as above, and for a picture that is black all over or a part of a larger one.
 std::vector<core::Rgbf> radiancesOf(const Image& image, const std::string& path, float most);
 
 }  // namespace image

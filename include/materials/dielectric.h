@@ -18,7 +18,7 @@ struct Dielectric {
     static constexpr std::string_view typeName = "dielectric";
     static constexpr std::array<bool, 4> canSample{false, true, true, false};
 
-    core::Rgbf specular{0};  // R_s of the report's highlight, each in [0, 1]; black: none
+    core::Textured<core::Rgbf> specular{core::Rgbf(0)};  // R_s of the report's highlight, each in [0, 1]; black: none
     double index = 1.5;  // of refraction, > 0
     core::Rgbf absorption{0};  // per unit length, >= 0
     std::optional<core::Weights> sampling{};
@@ -47,14 +47,20 @@ struct Dielectric {
     }
 
     template<class Real, class Point>
-    DielectricBsdf<Real> at(const Point&) const {
-        return {core::broadcast<Real>(specular), sampling, perturbation};
+    DielectricBsdf<Real> at(const Point& point) const {
+        return {specular.at<Real>(point), sampling, perturbation};
     }
 
     bool isAnisotropic() const { return false; }
     std::optional<Interior> interior() const { return Interior{static_cast<float>(index), absorption}; }
-    core::Rgbf albedo() const { return core::Rgbf(1); }  // all light goes on, mirrored or refracted
-    core::Rgbf ambientReflectance() const { return core::Rgbf(0); }
+    template<class Real, class Point>
+    core::Rgb<Real> albedo(const Point&) const {
+        return core::Rgb<Real>(Real(1));  // all light goes on, mirrored or refracted
+    }
+    template<class Real, class Point>
+    core::Rgb<Real> ambientReflectance(const Point&) const {
+        return core::Rgb<Real>(Real(0));
+    }
 };
 
 }  // namespace materials

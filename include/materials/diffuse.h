@@ -50,7 +50,8 @@ struct Diffuse {
     static constexpr std::string_view typeName = "diffuse";
     static constexpr std::array<bool, 4> canSample{true, true, false, false};
 
-    core::Rgbf reflectance{0.5f};  // R_d, the part of the light that goes out again, each in [0, 1]
+    core::Textured<core::Rgbf> reflectance{
+        core::Rgbf(0.5f)};  // R_d, the part of the light that goes out again, each in [0, 1]
     std::optional<core::Weights> sampling{};
     double perturbation = 5;  // degrees
 
@@ -67,14 +68,20 @@ struct Diffuse {
     }
 
     template<class Real, class Point>
-    DiffuseBsdf<Real> at(const Point&) const {
-        return {core::broadcast<Real>(reflectance), sampling, perturbation};
+    DiffuseBsdf<Real> at(const Point& point) const {
+        return {reflectance.at<Real>(point), sampling, perturbation};
     }
 
     bool isAnisotropic() const { return false; }
     std::optional<Interior> interior() const { return std::nullopt; }  // it is opaque
-    core::Rgbf albedo() const { return reflectance; }
-    core::Rgbf ambientReflectance() const { return reflectance; }
+    template<class Real, class Point>
+    core::Rgb<Real> albedo(const Point& point) const {
+        return reflectance.at<Real>(point);
+    }
+    template<class Real, class Point>
+    core::Rgb<Real> ambientReflectance(const Point& point) const {
+        return reflectance.at<Real>(point);
+    }
 };
 
 }  // namespace materials

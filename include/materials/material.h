@@ -7,10 +7,12 @@
 #include "materials/diffuse.h"
 #include "materials/material_concept.h"
 #include "materials/shirley.h"
+#include "materials/textures/texture.h"
 
 #include <cstddef>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace materials {
 
@@ -47,6 +49,23 @@ Bsdf<Real> bsdfAt(const Material& material, const Point& point) {
         },
         material);
 }
+
+// A texture of a material: where its values belong, and between which numbers they are kept.
+struct TextureUse {
+    const Texture* texture;  // the material owns it
+    std::size_t slot;
+    core::Range range;
+
+    template<class Real>
+    core::Rgb<Real> at(const TexturePlace<Real>& place) const {
+        const Real least(static_cast<float>(range.least)), most(static_cast<float>(range.most));
+        const core::Rgb<Real> found = texture->at<Real>(place);
+        const auto kept = [&](const Real& x) { return core::min(core::max(x, least), most); };
+        return {kept(found.x), kept(found.y), kept(found.z)};
+    }
+};
+
+std::vector<TextureUse> textureUses(const Material& material);
 
 // Calls f.operator()<M>() for each material type M of the list, in its order.
 template<class F>

@@ -33,7 +33,7 @@ concept CompleteBsdf = std::copyable<Bsdf> &&
     { bsdf.template sample<core::CosineHemisphere>(wo, u, indexBeyond) } -> std::same_as<BsdfSample<Real>>;
 };
 
-// It stands for any surface point, gr::SurfacePoint too, which this module may not name.
+// It stands for any surface point. One where textures have been looked up has them as `textures`, TextureValues<Real>.
 struct SomePoint {};
 
 template<class Material, class Real>
@@ -56,8 +56,11 @@ concept CompleteMaterial = std::default_initializable<Material> && std::copyable
     { material.isAnisotropic() } -> std::same_as<bool>;  // whether it asks how the surface's u axis lies
     { material.interior() } -> std::same_as<std::optional<Interior>>;  // none where it is opaque
     // What the albedo layer of a picture shows, each in [0, 1].
-    { material.albedo() } -> std::same_as<core::Rgbf>;
-    { material.ambientReflectance() } -> std::same_as<core::Rgbf>;  // what `ambient` is multiplied with
+    { material.template albedo<float>(SomePoint{}) } -> std::same_as<core::Rgbf>;
+    { material.template albedo<core::Lanes>(SomePoint{}) } -> std::same_as<core::Rgb<core::Lanes>>;
+    // What `ambient` is multiplied with.
+    { material.template ambientReflectance<float>(SomePoint{}) } -> std::same_as<core::Rgbf>;
+    { material.template ambientReflectance<core::Lanes>(SomePoint{}) } -> std::same_as<core::Rgb<core::Lanes>>;
 };
 
 }  // namespace materials

@@ -9,7 +9,6 @@
 #include "materials/option_rows.h"
 #include "materials/shirley_bsdf.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -23,10 +22,10 @@ struct Shirley {
 
     static constexpr double mostExponent = 1e6;
 
-    core::Rgbf diffuse{0.5f};  // R_d, each in [0, 1]
-    core::Rgbf specular{0.5f};  // R_s, each in [0, 1]
-    core::Vec2f exponents{100, 100};  // nu, nv
-    bool keepDiffuse = false;  // see shown()
+    core::Textured<core::Rgbf> diffuse{core::Rgbf(0.5f)};  // R_d, each in [0, 1]
+    core::Textured<core::Rgbf> specular{core::Rgbf(0.5f)};  // R_s, each in [0, 1]
+    core::Textured<core::Vec2f> exponents{core::Vec2f(100, 100)};  // nu, nv
+    bool keepDiffuse = false;  // see keptOf()
     std::optional<core::Weights> sampling{};
     double perturbation = 5;  // degrees
 
@@ -56,40 +55,60 @@ struct Shirley {
     }
 
     template<class Real, class Point>
-    ShirleyBsdf<Real> at(const Point&) const {
-        const Shown kept = keepDiffuse ? shown() : Shown{};
-        core::Rgbf base = diffuse;
-        // What the BSDF shows of it is base (1 - highlight).
-        for (int i = 0; i < 3 && keepDiffuse; ++i)
-            base[i] = kept.highlight[i] < 1 ? std::min(1.f, kept.base[i] / (1 - kept.highlight[i])) : 0.f;
-        return {core::broadcast<Real>(base),
-                core::broadcast<Real>(keepDiffuse ? kept.highlight : specular),
-                {Real(exponents.x), Real(exponents.y)},
-                sampling,
-                perturbation};
+    ShirleyBsdf<Real> at(const Point& point) const {
+        const core::Rgb<Real> base = diffuse.at<Real>(point), highlight = specular.at<Real>(point);
+        const core::Vec2<Real> narrow = exponents.at<Real>(point);
+        if (!keepDiffuse) return {base, highlight, {narrow.x, narrow.y}, sampling, perturbation};
+        const Shown<Real> kept = keptOf(base, highlight);
+        return {kept.bare(), kept.highlight, {narrow.x, narrow.y}, sampling, perturbation};
     }
 
-    bool isAnisotropic() const { return exponents.x != exponents.y; }
+    bool isAnisotropic() const { return exponents.value.x != exponents.value.y; }
     std::optional<Interior> interior() const { return std::nullopt; }  // it is opaque
-    core::Rgbf albedo() const { return shown().highlight + shown().base; }  // about that, seen along the normal
-    core::Rgbf ambientReflectance() const { return diffuse; }
+    // About that, seen along the normal.
+    template<class Real, class Point>
+    core::Rgb<Real> albedo(const Point& point) const {
+        const core::Rgb<Real> base = diffuse.at<Real>(point), highlight = specular.at<Real>(point);
+        if (!keepDiffuse) return highlight + base * (Real(1) - highlight);
+        const Shown<Real> kept = keptOf(base, highlight);
+        return kept.highlight + kept.base;
+    }
+    template<class Real, class Point>
+    core::Rgb<Real> ambientReflectance(const Point& point) const {
+        return diffuse.at<Real>(point);
+    }
 
 private:
     // What is seen along the normal; their sum is at most 1 in each channel.
+    template<class Real>
     struct Shown {
-        core::Rgbf base{0}, highlight{0};
+        core::Rgb<Real> base, highlight;
+
+        // The base under its highlight: the BSDF shows bare (1 - highlight) of it.
+        core::Rgb<Real> bare() const {
+            core::Rgb<Real> bare;
+            for (int i = 0; i < 3; ++i) {
+                const core::Mask<Real> isSeen = highlight[i] < Real(1);
+                const Real part = base[i] / core::select(isSeen, Real(1) - highlight[i], Real(1));
+                bare[i] = core::select(isSeen, core::min(part, Real(1)), Real(0));
+            }
+            return bare;
+        }
     };
     // Where R_d is kept, both keep their hue. Phong's model, which older scenes are made for, bounds neither: the base
     // is R_d, but leaves the highlight what a varnish reflects, 0.04, if that is less than R_s; the highlight is R_s
     // or, by one factor for all channels, as much less as the channel in which least is left.
-    Shown shown() const {
-        if (!keepDiffuse) return {diffuse * (1.f - specular), specular};
+    template<class Real>
+    static Shown<Real> keptOf(const core::Rgb<Real>& diffuse, const core::Rgb<Real>& specular) {
         constexpr float varnish = 0.04f;
-        const float most = 1 - std::min(varnish, core::largestComponent(specular));
-        const core::Rgbf base = diffuse * (most / std::max(most, core::largestComponent(diffuse)));
-        float part = 1;
-        for (int i = 0; i < 3; ++i)
-            if (specular[i] > 0) part = std::min(part, (1 - base[i]) / specular[i]);
+        const Real most = Real(1) - core::min(Real(varnish), core::largestComponent<Real>(specular));
+        const core::Rgb<Real> base = diffuse * (most / core::max(most, core::largestComponent<Real>(diffuse)));
+        Real part(1);
+        for (int i = 0; i < 3; ++i) {
+            const core::Mask<Real> counts = specular[i] > Real(0);
+            const Real most = (Real(1) - base[i]) / core::select(counts, specular[i], Real(1));
+            part = core::min(part, core::select(counts, most, Real(1)));
+        }
         return {base, specular * part};
     }
 };

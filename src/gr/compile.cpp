@@ -39,8 +39,12 @@ bool isInner(const NodeContent& content) {
 
 class Compiler {
 public:
-    // hasInteriors: whether anything may be transparent; else nobody asks for flat objects.
-    Compiler(const ObjectCounts& objects, bool hasInteriors) : objects_(objects), hasInteriors_(hasInteriors) {}
+    // Of the materials, used or not: where none is transparent nobody asks for flat objects, where none has a texture
+    // not for nodes' own spaces.
+    struct Asked {
+        bool hasInteriors, hasTextures;
+    };
+    Compiler(const ObjectCounts& objects, const Asked& asked) : objects_(objects), asked_(asked) {}
 
     // origin: what of the world becomes the scene's own.
     Scene compile(const Node& top, const glm::dvec3& origin) {
@@ -89,6 +93,7 @@ private:
                 std::visit([&](const auto& content) { return add(content, matrix); }, node.content);
             if (csg != CsgTree::none) csg_.addOperand(node, csg);
             finish(node, material, place);
+            if (asked_.hasTextures) scene_.nodeSpaces.emplace_back(glm::inverse(matrix) * place);
         }
     }
 
@@ -116,6 +121,7 @@ private:
         if (csg == nullptr) return;
         addInstance(csg.get(), glm::dmat4(1));
         scene_.instances.back().material = csg_.materialInside();
+        if (asked_.hasTextures) scene_.nodeSpaces.emplace_back();
         scene_.csgs.push_back(std::move(csg));
     }
     std::string nameOf(std::uint32_t material) const {
@@ -166,7 +172,8 @@ private:
         if (isNew) addMaterial(material != nullptr ? material->material : materials::Material{});
         instance.material = entry->second;
         far_.note(node, instance.shape, place);
-        if (hasInteriors_ && flat_.size() < mostFlatObjects && hasFlatSides(instance.shape) && !instance.isInverted)
+        if (asked_.hasInteriors && flat_.size() < mostFlatObjects && hasFlatSides(instance.shape) &&
+            !instance.isInverted)
             flat_.push_back({static_cast<std::uint32_t>(scene_.instances.size() - 1), place, &node,
                              instance.isOperand ? csg_.count() : ofNoCsg});
     }
@@ -174,10 +181,11 @@ private:
     void addMaterial(const materials::Material& material) {
         scene_.materials.push_back(material);
         scene_.interiors.push_back(std::visit([](const auto& m) { return m.interior(); }, material));
+        if (asked_.hasTextures) scene_.textures.push_back(materials::textureUses(material));
     }
 
     const ObjectCounts& objects_;
-    const bool hasInteriors_;
+    const Asked asked_;
     Scene scene_;
     std::vector<Lamp> lamps_;
     std::vector<FlatObject> flat_;
@@ -214,12 +222,13 @@ Scene compile(const Database& database, std::string_view path, std::span<const s
     for (const std::string& name : lights) named.push_back(database.light(name));
     const ObjectCounts objects = countObjects(top);
     checkMemory(top, objects.at(&top));
-    std::optional<Compiler> compiler(std::in_place, objects, database.hasInteriors());
+    const Compiler::Asked asked{database.hasInteriors(), database.hasTextures()};
+    std::optional<Compiler> compiler(std::in_place, objects, asked);
     Scene scene = compiler->compile(top, glm::dvec3(0));
     std::vector<core::Bounds> boxes = boundsOf(scene);
     const glm::dvec3 origin = where == Origin::isNear ? originFor(boxes, scene) : glm::dvec3(0);
     if (origin != glm::dvec3(0)) {
-        scene = compiler.emplace(objects, database.hasInteriors()).compile(top, origin);
+        scene = compiler.emplace(objects, asked).compile(top, origin);
         boxes = boundsOf(scene);
     }
     if (const std::string warning = compiler->farPlaces().warning(scene.origin); !warning.empty())

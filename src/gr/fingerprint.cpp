@@ -38,12 +38,31 @@ private:
     std::uint64_t state_ = 0;
 };
 
+void addValue(Hash& hash, const core::Textured<core::Rgbf>& colour) {
+    if (colour.texture != nullptr) hash.add(colour.texture->fingerprint);
+}
+void addValue(Hash& hash, const core::ColourPair& pair) {
+    for (const auto& colour : pair) addValue(hash, colour);
+}
+void addValue(Hash& hash, const core::ColourStops& stops) {
+    for (const core::ColourStop& stop : stops) addValue(hash, stop.colour);
+}
+void addValue(Hash&, const auto&) {}
+
+void addTexels(Hash& hash, const materials::Picture& picture) {
+    hash.add(std::uint64_t{static_cast<std::uint32_t>(picture.texels->width)} << 32 |
+             static_cast<std::uint32_t>(picture.texels->height));
+    for (const core::Rgbf& colour : picture.texels->colours) hash.add(colour);
+}
+void addTexels(Hash&, const materials::Mapping&) {}
+
 void addMaterial(Hash& hash, const materials::Material& material) {
     hash.add(std::uint64_t{material.index()});
     const auto add = [&]<class M>(const M& m) {
         for (const auto& row : M::options()) hash.add(core::optionText(row, m));
     };
     std::visit(add, material);
+    for (const materials::TextureUse& use : materials::textureUses(material)) hash.add(use.texture->fingerprint);
 }
 
 void addPolyhedron(Hash& hash, const Polyhedron& polyhedron) {
@@ -72,6 +91,21 @@ void addInstance(Hash& hash, const Instance& instance, const Numbers& polyhedra)
 }
 
 }  // namespace
+
+std::uint64_t fingerprint(const materials::Texture& texture) {
+    Hash hash;
+    hash.add(std::uint64_t{texture.type.index()});
+    std::visit(
+        [&]<class T>(const T& t) {
+            for (const core::OptionRow<T>& row : T::options()) {
+                hash.add(core::optionText(row, t));
+                std::visit([&](auto member) { addValue(hash, t.*member); }, row.member);
+            }
+            addTexels(hash, t);
+        },
+        texture.type);
+    return hash.value();
+}
 
 std::uint64_t fingerprint(const Scene& scene) {
     Hash hash;

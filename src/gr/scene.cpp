@@ -12,7 +12,7 @@ SurfacePoint<float> Scene::surfaceAt(const core::Rayf& ray, const Hit& hit, bool
     surface.t = hit.t;
     surface.light = -1;
     surface.isSmooth = false;
-    BodySurface<float>(instances[hit.instance], ray, hit, true).set(surface, wantsCoordinates);
+    BodySurface<float>(*this, hit.instance, ray, hit, true).set(surface, wantsCoordinates);
     return surface;
 }
 
@@ -30,7 +30,8 @@ std::size_t Scene::bytes() const {
     std::size_t bytes = instances.capacity() * sizeof(Instance) +
                         placements.size() * (sizeof(placements[0]) + sizeof(Placement::General)) +
                         materials.capacity() * sizeof(materials::Material) +
-                        interiors.capacity() * sizeof(interiors[0]) + lights.bytes();
+                        interiors.capacity() * sizeof(interiors[0]) + lights.bytes() +
+                        nodeSpaces.capacity() * sizeof(core::Transform);
     for (const auto& polyhedron : polyhedra) bytes += polyhedron->bytes();
     for (const auto& csg : csgs) bytes += csg->bytes();
     if (sky) bytes += sky->bytes();

@@ -138,8 +138,9 @@ void throwWrongWords() {
 
 std::vector<const Command*> allCommands() {
     std::vector<const Command*> commands;
-    for (const auto table : {shapeCommands(), meshCommands(), nodeCommands(), transformCommands(), materialCommands(),
-                             lightCommands(), renderCommands(), imageCommands(), statsCommands(), helpCommands()})
+    for (const auto table :
+         {shapeCommands(), meshCommands(), nodeCommands(), transformCommands(), textureCommands(), materialCommands(),
+          lightCommands(), renderCommands(), imageCommands(), statsCommands(), helpCommands()})
         for (const Command& command : table) commands.push_back(&command);
     return commands;
 }

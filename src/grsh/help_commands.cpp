@@ -12,11 +12,12 @@ struct OptionTable {
     std::string_view command;
     std::vector<OptionHelp> (*options)();
 };
-constexpr std::array<OptionTable, 7> optionTables{{
+constexpr std::array<OptionTable, 8> optionTables{{
     {"gr_render", renderOptionsHelp},
     {"gr_compare", compareOptionsHelp},
     {"gr_polyhedron", polyhedronOptionsHelp},
     {"gr_mesh", meshOptionsHelp},
+    {"gr_texture", textureOptionsHelp},
     {"gr_light", lightOptionsHelp},
     {"gr_sun", sunOptionsHelp},
     {"gr_material", materialOptionsHelp},
@@ -28,7 +29,7 @@ struct Topic {
 };
 constexpr std::array<Topic, 2> otherTopics{{
     {"#auto",
-     "#auto in place of the name of a node, a material or a light:\n"
+     "#auto in place of the name of a node, a material, a texture or a light:\n"
      "the command's name without its gr_ and the next number with which it is free, e.g. sphere1\n"
      "the command returns what it has made, e.g. gr_translate [gr_sphere : #auto] {0 1 0}"},
     {redefineOption,
@@ -46,7 +47,7 @@ std::string oneLineEach() {
     return text + "gr_help command says more, e.g. gr_help gr_render";
 }
 
-// Those of one type of material behind a line that names it.
+// Those of one type of material or texture behind a line that names it.
 std::string listOf(const std::vector<OptionHelp>& options) {
     std::string text;
     std::string_view type;
@@ -70,7 +71,7 @@ std::string about(const Command& command) {
     return text;
 }
 
-// Of every command, every material type and every option of that name; empty where there is none.
+// Of every command, every type of material or texture and every option of that name; empty where there is none.
 std::string aboutWord(std::string_view name) {
     const std::string_view word = withoutDash(name);
     if (word.empty()) return "";
@@ -80,12 +81,14 @@ std::string aboutWord(std::string_view name) {
         if (name == command->name || name == command->alias || name == command->name.substr(3)) add(about(*command));
     for (const Topic& topic : otherTopics)
         if (word == withoutDash(topic.name)) add(std::string(topic.text));
-    std::vector<OptionHelp> ofType;
-    for (OptionHelp& option : materialOptionsHelp())
-        if (option.type == name) ofType.push_back(std::move(option));
-    if (!ofType.empty())
-        add("gr_material name " + std::string(name) +
-            " ?option value ...?, with or without a leading dash:" + listOf(ofType));
+    for (const OptionTable& table : optionTables) {
+        std::vector<OptionHelp> ofType;
+        for (OptionHelp& option : table.options())
+            if (!option.type.empty() && option.type == name) ofType.push_back(std::move(option));
+        if (!ofType.empty())
+            add(std::string(table.command) + " name " + std::string(name) +
+                " ?option value ...?, with or without a leading dash:" + listOf(ofType));
+    }
     for (const OptionTable& table : optionTables)
         for (const OptionHelp& option : table.options())
             if (word == option.name || word == option.alias)
@@ -116,13 +119,13 @@ Tcl_Obj* help(Call& call) {
     const std::string_view name = call.words.text(0);
     if (const std::string text = aboutWord(name); !text.empty()) return textObject(text);
     throw core::Error("COMMAND", "UNKNOWN", std::string(name),
-                      std::string("no such command") + (name.starts_with("gr_") ? " " : ", material type or option ") +
+                      std::string("no such command") + (name.starts_with("gr_") ? " " : ", type or option ") +
                           quoted(name) + core::didYouMean(name, topics()));
 }
 
 constexpr std::array<Command, 1> rows{{
     {"gr_help", "", "?word?", 0, 1, help,
-     "returns what the commands do, or what is known of a command, a material type or an option"},
+     "returns what the commands do, or what is known of a command, a type of material or texture, or an option"},
 }};
 
 }  // namespace

@@ -22,7 +22,7 @@ materials::Material readTyped(Call& call, std::size_t first) {
     materials::forEachMaterialType([&]<class M>() {
         if (type != M::typeName) return;
         M parameters;
-        readOptions(call.words, first + 1, "a " + type + " material has no option", parameters);
+        readOptions(call.words, first + 1, "a " + type + " material has no option", parameters, &call.session.database);
         material = parameters;
     });
     if (material) return *material;

@@ -118,7 +118,8 @@ Tcl_Obj* renderCommand(Call& call) {
     const auto start = std::chrono::steady_clock::now();
     // Everything that can be wrong is found before the first ray.
     const RenderJob job = readRenderJob(call);
-    const gr::Sky sky{readEnvironment(job, *call.session.files), job.settings.environmentRotation};
+    const gr::Sky sky{readEnvironment(job, *call.session.files, call.session.database),
+                      job.settings.environmentRotation};
     const gr::Scene scene = gr::compile(call.session.database, job.node, job.lights, gr::Origin::isNear, sky);
     // Ctrl-C is ours to see from here on, until no temporary file is left behind.
     const InterruptScope scope(call.interp);

@@ -44,7 +44,7 @@ void checkFinite(const Image& image, const std::vector<float>& numbers, const st
 std::vector<float> coverageOf(const Image& image, const std::string& path) {
     const ImageChannel* alpha = image.find("A");
     if (alpha == nullptr) return {};
-    std::vector<float> coverage = linearNumbers(image, *alpha, true);
+    std::vector<float> coverage = linearNumbers(image, *alpha, NumberCurve::none);
     checkFinite(image, coverage, path);
     return std::ranges::all_of(coverage, [](float x) { return x == 1; }) ? std::vector<float>() : coverage;
 }
@@ -77,7 +77,7 @@ Colours coloursOf(const Image& image, const std::string& path) {
     for (int c = 0; c < 3; ++c) {
         const ImageChannel* channel = image.find(isGrey ? "Y" : std::string(1, "RGB"[c]));
         if (channel == nullptr) fail(path, "it has the channels " + image.channelNames() + ", not R, G and B");
-        const std::vector<float> numbers = linearNumbers(image, *channel);
+        const std::vector<float> numbers = linearNumbers(image, *channel, NumberCurve::asFile);
         checkFinite(image, numbers, path);
         // A PNG's colours are those of the pixel where it is covered; an OpenEXR file's already are what shows.
         const bool isWhatShows = std::holds_alternative<std::vector<float>>(channel->samples);

@@ -122,8 +122,8 @@ const std::array<core::OptionRow<S>, 31> rows{{
     {.name = "environment",
      .member = &S::environment,
      .defaultText = "none",
-     .help = "a picture of the sky all round, which shines: longitude and latitude, +y up, its middle towards -z, its "
-             "right half towards +x"},
+     .help = "a texture or a picture of the sky all round, which shines: longitude and latitude, +y up, its middle "
+             "towards -z, its right half towards +x"},
     {.name = "environmentrotation",
      .member = &S::environmentRotation,
      .range = {.least = -1e6, .most = 1e6},

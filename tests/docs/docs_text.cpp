@@ -66,6 +66,15 @@ std::string materialTables(const fs::path&) {
     return text;
 }
 
+std::string textureTables(const fs::path&) {
+    std::string text;
+    materials::forEachTextureType([&]<class T>() {
+        if (!text.empty()) text += "\n";
+        text += "Type `" + std::string(T::typeName) + "`:\n\n" + optionTable(T::options());
+    });
+    return text;
+}
+
 std::string renderTable(const fs::path&) {
     return optionTable(render::RenderSettings::options());
 }
@@ -92,9 +101,10 @@ struct Part {
     const char* name;
     std::string (*text)(const fs::path& root);
 };
-constexpr std::array<Part, 5> parts{{
+constexpr std::array<Part, 6> parts{{
     {"README.md", "scenes/hello.gr", smallestScene},
     {"docs/language.md", "commands", commandTable},
+    {"docs/language.md", "texture options", textureTables},
     {"docs/language.md", "material options", materialTables},
     {"docs/language.md", "render options", renderTable},
     {"docs/language.md", "compare options", compareTable},

@@ -19,7 +19,7 @@ std::vector<double> xOf(const Scene& scene) {
 }
 
 core::Rgbf reflectanceOf(const Scene& scene, std::size_t instance) {
-    return std::get<materials::Diffuse>(scene.materials.at(scene.instances.at(instance).material)).reflectance;
+    return std::get<materials::Diffuse>(scene.materials.at(scene.instances.at(instance).material)).reflectance.value;
 }
 
 void expectMatrix(const core::Transform& map, const glm::dmat4& expected) {

@@ -209,7 +209,7 @@ TEST_F(TreeTest, MaterialsByName) {
     const NamedMaterial* gold = database.find(":robot").material;
     ASSERT_NE(gold, nullptr);
     EXPECT_EQ(gold->name, "gold");
-    EXPECT_EQ(std::get<materials::Diffuse>(gold->material).reflectance, core::Rgbf(0.9f, 0.7f, 0.2f));
+    EXPECT_EQ(std::get<materials::Diffuse>(gold->material).reflectance.value, core::Rgbf(0.9f, 0.7f, 0.2f));
 
     expectError(
         database, [&] { database.setMaterial(":robot", "gld"); },
@@ -221,7 +221,7 @@ TEST_F(TreeTest, MaterialsByName) {
         "MATERIAL EXISTS [gold] material \"gold\" already exists; -redefine changes it");
     expectError(
         database, [&] { database.addMaterial("", materials::Diffuse{}); }, "MATERIAL NAME [] a name must not be empty");
-    EXPECT_EQ(std::get<materials::Diffuse>(gold->material).reflectance, core::Rgbf(0.9f, 0.7f, 0.2f));
+    EXPECT_EQ(std::get<materials::Diffuse>(gold->material).reflectance.value, core::Rgbf(0.9f, 0.7f, 0.2f));
 
     database.setMaterial(":robot", "silver");
     EXPECT_EQ(database.find(":robot").material->name, "silver");

@@ -24,7 +24,7 @@ double lobeWidth(const M& material) {
     if (material.sampling && (*material.sampling)[1] > 0 && material.perturbation > 0)
         width = material.perturbation * std::numbers::pi / 180;
     if constexpr (requires { material.exponents; })
-        width = std::min(width, 2 / std::sqrt(std::max(material.exponents.x, material.exponents.y) + 1.0));
+        width = std::min(width, 2 / std::sqrt(std::max(material.exponents.value.x, material.exponents.value.y) + 1.0));
     return std::min(width, 1.0);
 }
 
@@ -32,7 +32,7 @@ double lobeWidth(const M& material) {
 template<class M, class Use>
 auto withMap(const M& material, const core::Vec3f& wo, const Use& use) {
     if constexpr (requires { material.exponents; }) {
-        const core::Vec2f& n = material.exponents;
+        const core::Vec2f& n = material.exponents.value;
         if (core::max(n.x, n.y) > 500)
             return use(HalfVectorMap(wo, 1 / std::sqrt(n.x + 1.0), 1 / std::sqrt(n.y + 1.0)));
     }

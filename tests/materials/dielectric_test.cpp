@@ -130,9 +130,9 @@ TEST(Dielectric, HasTheReportsHighlight) {
         const double cosine = -double(wi.x) * wo.x - double(wi.y) * wo.y + double(wi.z) * wo.z;
         const double highlight = wi.z > 0 && wo.z > 0 ? std::pow(std::max(0.0, cosine), 10) : 0;
         for (int channel = 0; channel < 3; ++channel)
-            ASSERT_NEAR(bsdfOf(glass).eval(wo, wi)[channel], glass.specular[channel] * highlight, 2e-6);
+            ASSERT_NEAR(bsdfOf(glass).eval(wo, wi)[channel], glass.specular.value[channel] * highlight, 2e-6);
     }
-    EXPECT_EQ(bsdfOf(glass).eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), glass.specular);
+    EXPECT_EQ(bsdfOf(glass).eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), glass.specular.value);
     EXPECT_EQ(bsdfOf(Dielectric{}).eval(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), Rgbf(0));
     EXPECT_EQ(bsdfOf(glass).pdfW(Vec3f(0, 0, 1), Vec3f(0, 0, 1)), 0);
 }

@@ -15,7 +15,7 @@ const Diffuse orange{.reflectance = Rgbf(0.8f, 0.3f, 0)};
 const DiffuseBsdf<float> bsdf = bsdfOf(orange);
 
 TEST(Diffuse, ReflectsEvenlyAndOnlyOnTheSideOfTheNormal) {
-    const Rgbf f = orange.reflectance * (1 / core::pi);
+    const Rgbf f = orange.reflectance.value * (1 / core::pi);
     const Vec3f above(0.6f, 0, 0.8f), flat(-0.99995f, 0, 0.01f), below(0, 0.6f, -0.8f);
     EXPECT_EQ(bsdf.eval(above, flat), f * 0.01f);
     EXPECT_EQ(bsdf.eval(flat, above), f * 0.8f);
@@ -46,8 +46,8 @@ TEST(Diffuse, HasItsReflectanceAsAlbedo) {
     for (const Vec3f& wo : outgoingDirections())
         for (int channel = 0; channel < 3; ++channel) {
             const auto value = [&](const Rgbf& c) { return c[channel]; };
-            EXPECT_NEAR(albedo(orange, wo, value), orange.reflectance[channel], 2e-6);
-            EXPECT_EQ(orange.albedo()[channel], orange.reflectance[channel]);
+            EXPECT_NEAR(albedo(orange, wo, value), orange.reflectance.value[channel], 2e-6);
+            EXPECT_EQ(orange.albedo<float>(SomePoint{})[channel], orange.reflectance.value[channel]);
         }
 }
 
@@ -64,8 +64,8 @@ TEST(Diffuse, IsLitWhateverTheMethod) {
 }
 
 TEST(Diffuse, ReflectsAmbientLightByItsReflectance) {
-    EXPECT_EQ(orange.ambientReflectance(), orange.reflectance);
-    EXPECT_EQ(Diffuse{}.reflectance, Rgbf(0.5f));
+    EXPECT_EQ(orange.ambientReflectance<float>(SomePoint{}), orange.reflectance.value);
+    EXPECT_EQ(Diffuse{}.reflectance.value, Rgbf(0.5f));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(MaterialList, IsWalkedTypeByType) {
 // A node without a material of its own is diffuse grey.
 TEST(MaterialList, BeginsWithTheDefault) {
     ASSERT_TRUE(std::holds_alternative<Diffuse>(Material{}));
-    EXPECT_EQ(std::get<Diffuse>(Material{}).reflectance, core::Rgbf(0.5f));
+    EXPECT_EQ(std::get<Diffuse>(Material{}).reflectance.value, core::Rgbf(0.5f));
 }
 
 // So that a denoiser can divide by it.
@@ -33,8 +33,8 @@ TEST(MaterialList, HasAlbedosFromBlackToWhite) {
     forEachMaterialType([]<class M>() {
         for (const M& material : parameterSets<M>())
             for (int channel = 0; channel < 3; ++channel) {
-                EXPECT_GE(material.albedo()[channel], 0) << M::typeName;
-                EXPECT_LE(material.albedo()[channel], 1) << M::typeName;
+                EXPECT_GE(material.template albedo<float>(SomePoint{})[channel], 0) << M::typeName;
+                EXPECT_LE(material.template albedo<float>(SomePoint{})[channel], 1) << M::typeName;
             }
     });
 }
@@ -73,6 +73,14 @@ struct IsWithin {
     bool operator()(const glm::dvec3& v) const {
         return range.contains(v.x) && range.contains(v.y) && range.contains(v.z);
     }
+    template<class Value>
+    bool operator()(const core::Textured<Value>& value) const {
+        return (*this)(value.value);
+    }
+    bool operator()(const core::ColourPair& pair) const { return (*this)(pair[0]) && (*this)(pair[1]); }
+    bool operator()(const core::ColourStop& stop) const { return (*this)(stop.colour); }
+    bool operator()(const core::Scaling& scaling) const { return (*this)(scaling.by); }
+    bool operator()(const core::Script&) const { return true; }
     bool operator()(core::Word) const { return true; }
     bool operator()(const core::WordList&) const { return true; }
 };
@@ -113,12 +121,12 @@ TEST(MaterialOptions, AreThoseOfTheSceneLanguage) {
     using Texts = std::vector<std::string>;
     const std::string sampling = "sampling {a b c d}, at least 0";
     const std::string perturbation = "perturbation number, greater than 0 and at most 90";
-    EXPECT_EQ(described<Diffuse>(), (Texts{"diffuse {r g b}, 0 to 1", sampling, perturbation}));
+    EXPECT_EQ(described<Diffuse>(), (Texts{"diffuse {r g b}|texture, 0 to 1", sampling, perturbation}));
     EXPECT_EQ(described<Shirley>(),
-              (Texts{"diffuse {r g b}, 0 to 1", "specular {r g b}, 0 to 1", "exp {nu nv}, 0 to 1000000",
-                     "keepdiffuse on/off, ", sampling, perturbation}));
+              (Texts{"diffuse {r g b}|texture, 0 to 1", "specular {r g b}|texture, 0 to 1",
+                     "exp {nu nv}|texture, 0 to 1000000", "keepdiffuse on/off, ", sampling, perturbation}));
     EXPECT_EQ(described<Dielectric>(),
-              (Texts{"specular {r g b}, 0 to 1", "n number, greater than 0 and at most 1000000",
+              (Texts{"specular {r g b}|texture, 0 to 1", "n number, greater than 0 and at most 1000000",
                      "beers {ar ag ab}, 0 to 1e+18", sampling, "perturbation number, 0 to 90"}));
 }
 

@@ -147,7 +147,7 @@ TEST(PlantedFault, LightThroughTheSurfaceIsFound) {
 
 // Without its factor 1 / pi.
 TEST(PlantedFault, MoreLightThanArrivesIsFound) {
-    EXPECT_GT(albedo(Diffuse{.reflectance = grey.reflectance * core::pi}, wo, mean), 1 + 1e-5);
+    EXPECT_GT(albedo(Diffuse{.reflectance = grey.reflectance.value * core::pi}, wo, mean), 1 + 1e-5);
 }
 
 }  // namespace

@@ -45,11 +45,11 @@ struct ShirleyPaper {
 // f of the paper for a material of ours.
 inline glm::dvec3 paperF(const Shirley& material, const core::Vec3f& k1, const core::Vec3f& k2) {
     const glm::dvec3 wo(k1), wi(k2);
-    const ShirleyPaper paper{material.exponents.x, material.exponents.y};
+    const ShirleyPaper paper{material.exponents.value.x, material.exponents.value.y};
     const double highlight = paper.highlightWithoutFresnel(wo, wi);
     glm::dvec3 f;
     for (int channel = 0; channel < 3; ++channel) {
-        const double rs = material.specular[channel], rd = material.diffuse[channel];
+        const double rs = material.specular.value[channel], rd = material.diffuse.value[channel];
         f[channel] = highlight * ShirleyPaper::fresnel(rs, wo, wi) + ShirleyPaper::base(rd, rs, wo, wi);
     }
     return f;

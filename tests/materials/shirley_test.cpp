@@ -41,7 +41,8 @@ TEST(Shirley, HasTheAlbedoThatItReflectsAlongTheNormal) {
             for (int channel = 0; channel < 3; ++channel) {
                 const auto value = [&](const Rgbf& c) { return c[channel]; };
                 const double faded = base[channel] * (1 - highlight[channel]) / 32;
-                EXPECT_NEAR(albedo(material, {0, 0, 1}, value) + faded, material.albedo()[channel], 5e-4);
+                EXPECT_NEAR(albedo(material, {0, 0, 1}, value) + faded, material.albedo<float>(SomePoint{})[channel],
+                            5e-4);
             }
         }
     }
@@ -158,13 +159,13 @@ const Shirley kept[] = {
 
 TEST(Shirley, KeptDiffuseIsSeenAsItIsButForAVarnish) {
     for (const Shirley& material : kept) {
-        const float brightest = core::largestComponent(material.diffuse);
-        const float room = std::min(0.04f, core::largestComponent(material.specular));
-        const Rgbf seen = material.diffuse * std::min(1.f, brightest > 0 ? (1 - room) / brightest : 1.f);
+        const float brightest = core::largestComponent(material.diffuse.value);
+        const float room = std::min(0.04f, core::largestComponent(material.specular.value));
+        const Rgbf seen = material.diffuse.value * std::min(1.f, brightest > 0 ? (1 - room) / brightest : 1.f);
         const ShirleyBsdf<float> bsdf = bsdfOf(material);
         for (int channel = 0; channel < 3; ++channel)
             EXPECT_NEAR(bsdf.diffuse[channel] * (1 - bsdf.specular[channel]), seen[channel], 1e-6f);
-        EXPECT_EQ(material.ambientReflectance(), material.diffuse);
+        EXPECT_EQ(material.ambientReflectance<float>(SomePoint{}), material.diffuse.value);
     }
 }
 
@@ -172,14 +173,14 @@ TEST(Shirley, KeptDiffuseIsSeenAsItIsButForAVarnish) {
 TEST(Shirley, KeptDiffuseLeavesTheHighlightItsHueAndWhatThereIsLeft) {
     for (const Shirley& material : kept) {
         const ShirleyBsdf<float> bsdf = bsdfOf(material);
-        const float part = core::largestComponent(bsdf.specular) / core::largestComponent(material.specular);
+        const float part = core::largestComponent(bsdf.specular) / core::largestComponent(material.specular.value);
         float fullest = 0;
         for (int channel = 0; channel < 3; ++channel) {
-            EXPECT_NEAR(bsdf.specular[channel], part * material.specular[channel], 1e-6f);
+            EXPECT_NEAR(bsdf.specular[channel], part * material.specular.value[channel], 1e-6f);
             const float both = bsdf.specular[channel] + bsdf.diffuse[channel] * (1 - bsdf.specular[channel]);
             EXPECT_LE(both, 1 + 1e-6f);
-            EXPECT_NEAR(both, material.albedo()[channel], 1e-6f);
-            if (material.specular[channel] > 0) fullest = std::max(fullest, both);
+            EXPECT_NEAR(both, material.albedo<float>(SomePoint{})[channel], 1e-6f);
+            if (material.specular.value[channel] > 0) fullest = std::max(fullest, both);
         }
         EXPECT_TRUE(std::abs(part - 1) < 1e-6f || std::abs(fullest - 1) < 1e-6f) << part << " " << fullest;
     }
@@ -194,7 +195,7 @@ TEST(Shirley, KeptDiffuseReflectsNoMoreThanArrives) {
 
 TEST(Shirley, ReflectsAmbientLightByItsBase) {
     const Shirley material{.diffuse = Rgbf(0.9f, 0.5f, 0.1f)};
-    EXPECT_EQ(material.ambientReflectance(), material.diffuse);
+    EXPECT_EQ(material.ambientReflectance<float>(SomePoint{}), material.diffuse.value);
     EXPECT_FALSE(material.isAnisotropic());
     EXPECT_TRUE(Shirley({.exponents = {10, 11}}).isAnisotropic());
 }

@@ -27,7 +27,8 @@ inline double normalReflectance(double n) {
 // surface's frame, z its normal.
 inline double shirleyEval(const materials::Shirley& m, int channel, const glm::dvec3& k1, const glm::dvec3& k2) {
     if (k1.z <= 0 || k2.z <= 0) return 0;
-    const double rd = m.diffuse[channel], rs = m.specular[channel], nu = m.exponents.x, nv = m.exponents.y;
+    const double rd = m.diffuse.value[channel], rs = m.specular.value[channel], nu = m.exponents.value.x,
+                 nv = m.exponents.value.y;
     const glm::dvec3 h = glm::normalize(k1 + k2);
     const double kh = glm::dot(k1, h), sine2 = h.x * h.x + h.y * h.y;
     const double exponent = sine2 > 0 ? (nu * h.x * h.x + nv * h.y * h.y) / sine2 : 0;

@@ -132,7 +132,7 @@ constexpr float steepest = 300;
 TYPED_TEST(PathEqualsReport, WithAllItsParameters) {
     std::vector<TypeParam> sets = materials::parameterSets<TypeParam>();
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        if constexpr (requires { sets[i].exponents; }) sets[i].exponents = glm::min(sets[i].exponents, steepest);
+        if constexpr (requires { sets[i].exponents; }) sets[i].exponents = glm::min(sets[i].exponents.value, steepest);
         Room room;
         room.addBodies(sets[i]);
         EXPECT_TRUE(room.holds()) << "set " << i;

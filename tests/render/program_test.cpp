@@ -197,7 +197,8 @@ TEST_F(Program, SaysInThePictureWhatMadeIt) {
             Pair("grsh:stopcolumn", "29"), Pair("grsh:startline", "0"), Pair("grsh:stopline", "12"),
             Pair("grsh:samplesperpixel", "3"), Pair("grsh:samplesperlightsource", "2"), Pair("grsh:integrator", "path"),
             Pair("grsh:seed", "9223372036854775807"), Pair("grsh:background", "0 0.25 1e-06"),
-            Pair("grsh:exposure", "-0.5"), Pair("grsh:stopped", "samplesperpixel")));
+            Pair("grsh:environment", ""), Pair("grsh:environmentrotation", "0"), Pair("grsh:exposure", "-0.5"),
+            Pair("grsh:stopped", "samplesperpixel")));
 }
 
 // Whatever options there are one day: each that changes the picture is in it, and no other.

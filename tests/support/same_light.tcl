@@ -104,8 +104,11 @@ proc differences {words samples firstSeed} {
 }
 
 # Where a highlight is very narrow, few of the report's samples find a light in it, and those count for so much that
-# their mean is not normal for a long time: here no highlight is narrower than this one.
-set steepest 300
+# their mean is not normal for a long time: here no highlight is narrower than this one. A sky fills the whole half
+# space, of which a highlight is a smaller part than of a lamp.
+set channel [open $scene]
+set steepest [expr {[regexp {\menvironment\M} [read $channel]] ? 30 : 300}]
+close $channel
 rename gr_material materialAsIs
 proc gr_material {args} {
     set at [lsearch $args exp]

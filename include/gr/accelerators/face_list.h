@@ -18,6 +18,7 @@ struct Face {
     core::Vec3f toU, toV;  // of the way from the corner to a point corner + u edge1 + v edge2 they make u and v
     core::Vec2f uv, uvAlong1, uvAlong2;  // of the corner, and how much they grow along the edges
     core::Vec3f tangent;  // see SurfacePoint
+    core::Vec3f inNode, inNodeAlong1, inNodeAlong2;  // likewise, as uv
     float error, errorPerUnit;  // see Instance
     float extent;  // the sum of its edges along the axes
     float reachU, reachV;  // the sum of toU, of toV, along the axes
@@ -30,6 +31,7 @@ inline constexpr std::size_t mostFaces = 64;
 
 struct FaceList {
     std::vector<Face> parallelograms, triangles;
+    bool hasNodeSpaces = false;  // whether inNode is there
     std::vector<bool> isFlat;  // of each instance, whether it is here
     // The first so many of each may stand between two points of the scene. Behind all others nothing lies.
     std::size_t blockingParallelograms = 0, blockingTriangles = 0;
@@ -37,8 +39,8 @@ struct FaceList {
     std::size_t size() const { return parallelograms.size() + triangles.size(); }
 };
 
-// Of a scene's squares, and of its small meshes that have no normals of their own and no needles; none where these are
-// more than few.
+// Of a scene's squares, and of its small meshes that have no normals of their own, no needles, and no u and v that a
+// texture may ask for; none where these are more than few.
 FaceList facesOf(const Scene& scene);
 
 }  // namespace gr

@@ -107,8 +107,8 @@ private:
     }
 
     template<bool isTriangle>
-    static void setFace(SurfacePoint<Real>& surface, const core::Ray<Real>& ray, const std::vector<Face>& faces,
-                        const Real& number, const Mask& here, bool wantsCoordinates) {
+    void setFace(SurfacePoint<Real>& surface, const core::Ray<Real>& ray, const std::vector<Face>& faces,
+                 const Real& number, const Mask& here, bool wantsCoordinates) const {
         const core::GatheredRow<Real, Face> row(faces.data(), core::toUInt(core::select(here, number, Real(0))));
         const Vec3 normal = row.vector(offsetof(Face, normal)), corner = row.vector(offsetof(Face, corner));
         Vec3 position = ray.origin + ray.direction * surface.t;
@@ -146,6 +146,10 @@ private:
         surface.uv.x = core::select(here, coordinate(0), surface.uv.x);
         surface.uv.y = core::select(here, coordinate(1), surface.uv.y);
         surface.tangent = core::select(here, row.vector(offsetof(Face, tangent)), surface.tangent);
+        if (!faces_.hasNodeSpaces) return;
+        const Vec3 inNode = row.vector(offsetof(Face, inNode)) + row.vector(offsetof(Face, inNodeAlong1)) * u +
+                            row.vector(offsetof(Face, inNodeAlong2)) * v;
+        surface.inNode = core::select(here, inNode, surface.inNode);
     }
 
     const FaceList& faces_;

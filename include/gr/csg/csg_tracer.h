@@ -107,7 +107,7 @@ private:
         core::Vec3f normalAt(std::size_t i) const {
             const Hit& hit = crossings()[i].hit;
             SurfacePoint<float> surface{};
-            BodySurface<float>(scene_.instances[hit.instance], ray_, hit, true).set(surface, false);
+            BodySurface<float>(scene_, hit.instance, ray_, hit, true).set(surface, false);
             return surface.normal;
         }
         bool areAlike(std::size_t i, std::size_t other, const Closeness& close) const {

@@ -57,6 +57,14 @@ public:
     std::string addMaterial(std::string_view name, const materials::Material& material, std::string_view words = {});
     // kind: light or sun, text that stays: what #auto counts.
     std::string addLight(std::string_view name, const NamedLight& light, std::string_view kind = "light");
+    // One that was made by the same words stays.
+    std::string addTexture(std::string_view name, std::shared_ptr<const materials::Texture> texture,
+                           std::string_view words);
+    // null where there is none
+    std::shared_ptr<const materials::Texture> findTexture(std::string_view name) const;
+    // Throws where addTexture would, for whoever has much to do before; whether one made by these words is there.
+    bool checkNewTexture(std::string_view name, std::string_view words) const;
+    std::vector<std::string_view> textureNames() const;  // in the alphabet's order
     // The nodes that have the material, and the renders that name the light, get this one.
     void redefineMaterial(std::string_view name, const materials::Material& material, std::string_view words = {});
     void redefineLight(std::string_view name, const NamedLight& light);
@@ -74,6 +82,7 @@ public:
     const NamedLight& light(std::string_view name) const;
     std::vector<std::string> lightNames() const;  // in the alphabet's order
     bool hasInteriors() const;  // whether one of its materials has something inside of it
+    bool hasTextures() const;  // whether one of its materials has a texture
     // Throws unless a node of that name may be made there.
     void checkNew(std::string_view parent, std::string_view name) const;
     // The polyhedron in a mesh file; see MeshFiles.
@@ -123,10 +132,15 @@ private:
     std::unordered_set<std::unique_ptr<Node>, Hash, Equal> index_;
     std::unordered_map<const Node*, std::unordered_set<const Node*>> instancesOf_;
     std::unordered_map<std::string, NamedMaterial> materials_;
+    struct NamedTexture {
+        std::shared_ptr<const materials::Texture> texture;
+        std::string words;  // what the script says of it
+    };
+    std::unordered_map<std::string, NamedTexture> textures_;
     std::unordered_map<std::string, NamedLight> lights_;
     // The last number that #auto gave: to children of a node by what they are, to materials, to lights by their kind.
     std::unordered_map<const Node*, AutoNumbers> autoNumbers_;
-    std::size_t lastMaterial_ = 0;
+    std::size_t lastMaterial_ = 0, lastTexture_ = 0;
     AutoNumbers lastLights_;
     MeshFiles meshFiles_;
 };

@@ -112,9 +112,15 @@ public:
     ShapePoint<Real> surfaceAt(const core::Ray<Real>& ray, const HitOf<Real>& hit,
                                const core::Vec3<Real>& margin) const;  // polyhedron_surface.h
 
-    // Those of its flat faces, in the space of the vertices it was given.
+    // Those of its flat faces, in the space of the vertices it was given; u and v are the vertices', if they have any.
     template<class Real>
-    Coordinates<Real> coordinatesAt(const ShapePoint<Real>& point) const {
+    Coordinates<Real> coordinatesAt(const ShapePoint<Real>& point, const HitOf<Real>& hit) const {
+        Coordinates<Real> found = flatCoordinatesAt(point);
+        if (!uvs_.empty()) found.uv = uvAt(hit);
+        return found;
+    }
+    template<class Real>
+    Coordinates<Real> flatCoordinatesAt(const ShapePoint<Real>& point) const {
         return flatCoordinates<Real>(point.position + core::broadcast<Real>(core::Vec3f(origin_)), point.normal);
     }
 
@@ -151,6 +157,9 @@ private:
     core::Vec3<Real> cornerOf(const core::UInt<Real>& triangle, int corner) const;
     template<class Real>
     core::Vec3<Real> normalOf(const core::UInt<Real>& triangle, int corner) const;
+
+    template<class Real>
+    core::Vec2<Real> uvAt(const HitOf<Real>& hit) const;
 
     Polyhedron(const FlatMesh& mesh, std::vector<glm::ivec3> triangles);
     void setNormals(const FlatMesh& mesh, const std::vector<glm::ivec3>& triangles);

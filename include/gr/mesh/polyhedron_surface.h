@@ -54,6 +54,19 @@ core::Vec3<Real> Polyhedron::shadingNormal(const HitOf<Real>& hit) const {
 }
 
 template<class Real>
+core::Vec2<Real> Polyhedron::uvAt(const HitOf<Real>& hit) const {
+    const float* numbers = &uvs_[0].x;
+    const core::UInt<Real> first = hit.triangle * core::UInt<Real>(6);
+    const auto corner = [&](std::uint32_t k, std::uint32_t axis) {
+        return core::gather(numbers, core::UInt<Real>(first + core::UInt<Real>(2 * k + axis)));
+    };
+    const auto along = [&](std::uint32_t axis) {
+        return corner(0, axis) * (Real(1) - hit.b1 - hit.b2) + corner(1, axis) * hit.b1 + corner(2, axis) * hit.b2;
+    };
+    return {along(0), along(1)};
+}
+
+template<class Real>
 core::Vec3<Real> Polyhedron::lift(const HitOf<Real>& hit, const ShapePoint<Real>& point) const {
     const Real zero(0), weights[] = {Real(1) - hit.b1 - hit.b2, hit.b1, hit.b2};
     const Real side = core::select(point.front, Real(1), Real(-1));

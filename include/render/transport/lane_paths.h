@@ -74,6 +74,7 @@ struct ShadingPoints {
     core::Vec3<Real> normal;
     core::Frame<Real> frame;
     core::Vec3<Real> wo;
+    core::TextureValues<Real> textures;  // of the lanes' materials, where these have some
 
     ShadingPoints(const PathScene& scene, const core::Ray<Real>& ray, const gr::SurfacePoint<Real>& surface,
                   const core::Mask<Real>& shaded)
@@ -83,6 +84,7 @@ struct ShadingPoints {
           fromOutside(glm::dot(ray.direction, surface.normal) < Real(0)),
           normal(core::select(fromOutside, surface.normal, -surface.normal)),
           frame(core::select(fromOutside, surface.shadingNormal, -surface.shadingNormal)) {
+        if (scene.hasTextures) lookUpTextures();
         if (scene.hasAnisotropy) turnFrame();
         wo = frame.toLocal(-ray.direction);
     }
@@ -90,20 +92,16 @@ struct ShadingPoints {
     // Calls f(material, mask) for each material that any lane's surface is made of.
     template<class F>
     void forEachMaterial(F&& f) const {
-        const core::LaneArray<Real> index(surface.material);
-        for (std::uint32_t rest = lanes; rest != 0;) {
-            const float material = index[std::countr_zero(rest)];
-            const core::Mask<Real> here = surface.material == Real(material);
-            rest &= ~core::bitsOf(here);
-            std::visit([&](const auto& m) { f(m, here); }, scene.materials[static_cast<std::size_t>(material)]);
-        }
+        forEachMaterialIndex([&](std::size_t material, const core::Mask<Real>& here) {
+            std::visit([&](const auto& m) { f(m, here); }, scene.materials[material]);
+        });
     }
     // Calls f(bsdf, mask) for what each of them is there. It is made anew for each use: while its parameters are the
     // same in all lanes the processor has them at hand, and to keep it would be to write them out and read them back.
     template<class F>
     void forEachBsdf(F&& f) const {
         forEachMaterial(
-            [&](const auto& material, const core::Mask<Real>& here) { f(material.template at<Real>(surface), here); });
+            [&](const auto& material, const core::Mask<Real>& here) { f(material.template at<Real>(*this), here); });
     }
     // Whether light that goes through the surface as it is shaded would stay on this side of it as it lies.
     core::Mask<Real> staysOutside(const core::Vec3<Real>& direction, const core::Vec3<Real>& wi) const {
@@ -114,6 +112,27 @@ struct ShadingPoints {
     core::Vec3<Real> startBelow() const { return surface.offset(-normal); }
 
 private:
+    // Once for all that is asked of the materials here.
+    void lookUpTextures() {
+        const materials::TexturePlace<Real> place{surface.uv, surface.inNode,
+                                                  surface.position + core::broadcast<Real>(core::Vec3f(scene.origin))};
+        forEachMaterialIndex([&](std::size_t material, const core::Mask<Real>& here) {
+            for (const materials::TextureUse& use : scene.textures[material]) {
+                core::Rgb<Real>& values = textures.slots[use.slot];
+                values = core::select(here, use.at<Real>(place), values);
+            }
+        });
+    }
+    template<class F>
+    void forEachMaterialIndex(F&& f) const {
+        const core::LaneArray<Real> index(surface.material);
+        for (std::uint32_t rest = lanes; rest != 0;) {
+            const float material = index[std::countr_zero(rest)];
+            const core::Mask<Real> here = surface.material == Real(material);
+            rest &= ~core::bitsOf(here);
+            f(static_cast<std::size_t>(material), here);
+        }
+    }
     void turnFrame() {
         const core::Frame<Real> turned(frame.z, surface.tangent);
         forEachMaterial([&](const auto& material, const core::Mask<Real>& here) {

@@ -3,6 +3,7 @@
 // mean over them is nearer to the integral than that over independent numbers.
 #pragma once
 
+#include "core/hash.h"
 #include "core/lanes.h"
 
 #include <array>
@@ -54,15 +55,7 @@ constexpr SobolColumns makeSobolColumns() {
 
 constexpr SobolColumns sobolColumns = makeSobolColumns();
 
-// Every bit of the result depends on every bit of x. (Wellons, "lowbias32".)
-template<class UInt>
-UInt mixed(UInt x) {
-    x = x ^ (x >> 16);
-    x = x * UInt(0x7feb352d);
-    x = x ^ (x >> 15);
-    x = x * UInt(0x846ca68b);
-    return x ^ (x >> 16);
-}
+using core::mixed;
 
 // Owen's scrambling of a number whose bits are in reverse order: whether a bit is flipped depends on the seed and on
 // the bits below it, which are those that count for more. (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020;

@@ -17,6 +17,7 @@ struct PathScene {
     const gr::Accelerator& accelerator;
     bool hasInteriors = false;  // materials that paths go through
     bool hasAnisotropy = false;
+    bool hasTextures = false;
     LightChoice lights;
 
     std::size_t bytes() const { return lights.bytes(); }

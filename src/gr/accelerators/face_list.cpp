@@ -30,11 +30,13 @@ public:
 
     FaceList make() {
         list_.isFlat.resize(scene_.instances.size());
+        list_.hasNodeSpaces = !scene_.nodeSpaces.empty();
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
             const Instance& instance = scene_.instances[i];
             if (instance.isOperand) continue;
             if (const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape))
-                list_.isFlat[i] = isSmall(**mesh) && !(*mesh)->hasNormals() && add(instance, **mesh);
+                list_.isFlat[i] =
+                    isSmall(**mesh) && !(*mesh)->hasNormals() && !hasWantedUv(**mesh) && add(instance, **mesh);
             else if (const auto* square = std::get_if<Square>(&instance.shape))
                 list_.isFlat[i] = add(instance, *square);
             if (list_.size() > mostFaces) return {};
@@ -46,6 +48,7 @@ public:
     }
 
 private:
+    bool hasWantedUv(const Polyhedron& mesh) const { return scene_.hasTextures() && !mesh.uvs().empty(); }
     static bool isSmall(const Polyhedron& mesh) { return mesh.triangleCount() <= 2 * mostFaces; }
 
     // Adds all its faces, or none where one of them is a needle; returns whether it did.
@@ -93,9 +96,18 @@ private:
         for (std::size_t i = 0; i < at.size(); ++i) {
             const ShapePoint<float> point{instance.place.objectFromWorld().point(Vec3f(c[i])), objectNormal, true};
             const auto* mesh = std::get_if<const Polyhedron*>(&instance.shape);
-            at[i] =
-                mesh != nullptr ? (*mesh)->coordinatesAt(point) : std::get<Square>(instance.shape).coordinatesAt(point);
+            at[i] = mesh != nullptr ? (*mesh)->flatCoordinatesAt(point)
+                                    : std::get<Square>(instance.shape).coordinatesAt(point);
         }
+        return at;
+    }
+
+    std::array<Vec3f, 3> inNodeOf(const Instance& instance, const Corners& c) const {
+        std::array<Vec3f, 3> at{};
+        if (scene_.nodeSpaces.empty()) return at;
+        const core::Transform& space = scene_.nodeSpaces[static_cast<std::size_t>(&instance - scene_.instances.data())];
+        for (std::size_t i = 0; i < at.size(); ++i)
+            at[i] = space.point(instance.place.objectFromWorld().point(Vec3f(c[i])));
         return at;
     }
 
@@ -107,17 +119,34 @@ private:
         const glm::dvec3 toU = glm::cross(edge2, across) / square, toV = glm::cross(across, edge1) / square;
         const Vec3f normal(glm::normalize(across));
         const std::array<Coordinates<float>, 3> at = coordinatesOf(instance, c, normal);
+        const std::array<Vec3f, 3> inNode = inNodeOf(instance, c);
         // A step of the error's 2.4-fold along each axis, across an edge that meets its neighbour at 15 degrees.
         const auto reach = [](const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
         const auto margin = static_cast<float>(4 * 2.4 * std::max({reach(toU), reach(toV), reach(toU + toV)}));
         const auto extent = static_cast<float>(reach(edge1) + reach(edge2));
         constexpr double mostSlender = 1024;
         if (!(reach(edge1) + reach(edge2) < mostSlender / std::max(reach(toU), reach(toV)))) return false;
-        faces.push_back(
-            {Vec3f(c[0]), normal, Vec3f(edge1), Vec3f(edge2), Vec3f(toU), Vec3f(toV), at[0].uv, at[1].uv - at[0].uv,
-             at[2].uv - at[0].uv, instance.place.worldFromObject().vector(at[0].tangent), instance.error,
-             instance.errorPerUnit(), extent, static_cast<float>(reach(toU)), static_cast<float>(reach(toV)), margin,
-             static_cast<float>(instance.material), static_cast<float>(light)});
+        faces.push_back({Vec3f(c[0]),
+                         normal,
+                         Vec3f(edge1),
+                         Vec3f(edge2),
+                         Vec3f(toU),
+                         Vec3f(toV),
+                         at[0].uv,
+                         at[1].uv - at[0].uv,
+                         at[2].uv - at[0].uv,
+                         instance.place.worldFromObject().vector(at[0].tangent),
+                         inNode[0],
+                         inNode[1] - inNode[0],
+                         inNode[2] - inNode[0],
+                         instance.error,
+                         instance.errorPerUnit(),
+                         extent,
+                         static_cast<float>(reach(toU)),
+                         static_cast<float>(reach(toV)),
+                         margin,
+                         static_cast<float>(instance.material),
+                         static_cast<float>(light)});
         return true;
     }
 

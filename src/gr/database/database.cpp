@@ -179,9 +179,10 @@ void Database::reset() {
     index_.clear();
     root_ = Node{};
     materials_.clear();
+    textures_.clear();
     lights_.clear();
     autoNumbers_.clear();
-    lastMaterial_ = 0;
+    lastMaterial_ = lastTexture_ = 0;
     lastLights_.clear();
 }
 

@@ -56,6 +56,32 @@ std::string Database::addLight(std::string_view name, const NamedLight& light, s
     return key;
 }
 
+bool Database::checkNewTexture(std::string_view name, std::string_view words) const {
+    if (name.empty()) throw core::Error("TEXTURE", "NAME", "", "a name must not be empty");
+    const auto found = textures_.find(std::string(name));
+    if (found == textures_.end()) return false;
+    if (found->second.words != words)
+        throw core::Error("TEXTURE", "EXISTS", std::string(name),
+                          "texture \"" + std::string(name) + "\" already exists");
+    return true;
+}
+
+std::string Database::addTexture(std::string_view name, std::shared_ptr<const materials::Texture> texture,
+                                 std::string_view words) {
+    std::string key = newName(textures_, name, "texture", lastTexture_);
+    if (!checkNewTexture(key, words)) textures_.emplace(key, NamedTexture{std::move(texture), std::string(words)});
+    return key;
+}
+
+std::shared_ptr<const materials::Texture> Database::findTexture(std::string_view name) const {
+    const auto found = textures_.find(std::string(name));
+    return found == textures_.end() ? nullptr : found->second.texture;
+}
+
+std::vector<std::string_view> Database::textureNames() const {
+    return namesOf(textures_);
+}
+
 NamedMaterial& Database::namedMaterial(std::string_view name) {
     return findIn(materials_, name, "MATERIAL", "material");
 }
@@ -106,6 +132,11 @@ void Database::setMaterial(std::string_view path, std::string_view name) {
     ++material.users;
     if (node.material != nullptr) --node.material->users;
     node.material = &material;
+}
+
+bool Database::hasTextures() const {
+    return std::any_of(materials_.begin(), materials_.end(),
+                       [](const auto& entry) { return !materials::textureUses(entry.second.material).empty(); });
 }
 
 bool Database::hasInteriors() const {

@@ -56,7 +56,7 @@ public:
     explicit PathIntegrator(PathSetup&& setup)
         : setup_(std::move(setup)),
           scene_(setup_.scene),
-          tracer_(scene_.scene, scene_.accelerator, scene_.hasAnisotropy),
+          tracer_(scene_.scene, scene_.accelerator, scene_.hasAnisotropy || scene_.hasTextures),
           lights_(setup_, tracer_) {}
 
     std::size_t bytes() const override { return scene_.bytes(); }
@@ -210,20 +210,25 @@ private:
 
     void tellFirst(const Paths<Real>& paths, const ShadingPoints<Real>& points, const Real& depth,
                    const Mask<Real>& isMet, Samples& samples) const {
-        const core::LaneArray<Real> t(depth), x(points.frame.z.x), y(points.frame.z.y), z(points.frame.z.z),
-            material(points.surface.material), light(points.surface.light);
         const std::uint32_t first = core::bitsOf(isMet & (paths.surfacePoints == Real(0)));
+        if (first == 0) return;
+        Rgb<Real> albedo(Real(0));  // that of a light
+        points.forEachMaterial([&](const auto& material, const Mask<Real>& here) {
+            albedo =
+                core::select(here & (points.surface.light < Real(0)), material.template albedo<Real>(points), albedo);
+        });
+        const core::LaneArray<Real> t(depth), x(points.frame.z.x), y(points.frame.z.y), z(points.frame.z.z),
+            r(albedo.x), g(albedo.y), b(albedo.z);
         core::forEachLane(first, [&](int lane) {
-            const auto albedoOf = [](const auto& m) { return m.albedo(); };
-            const materials::Material& made = scene_.scene.materials[static_cast<std::size_t>(material[lane])];
-            const core::Rgbf albedo = light[lane] >= 0 ? core::Rgbf(0) : std::visit(albedoOf, made);
-            samples.first[paths.slot[static_cast<std::size_t>(lane)]] = {t[lane], albedo, {x[lane], y[lane], z[lane]}};
+            samples.first[paths.slot[static_cast<std::size_t>(lane)]] = {
+                t[lane], {r[lane], g[lane], b[lane]}, {x[lane], y[lane], z[lane]}};
         });
     }
 
     void addAmbient(Paths<Real>& paths, const ShadingPoints<Real>& points, const Mask<Real>& isLast) const {
         points.forEachMaterial([&](const auto& material, const Mask<Real>& here) {
-            const Rgb<Real> light = core::broadcast<Real>(setup_.ambient * material.ambientReflectance());
+            const Rgb<Real> light =
+                core::broadcast<Real>(setup_.ambient) * material.template ambientReflectance<Real>(points);
             paths.radiance += core::select(here & paths.alive & isLast, paths.throughput * light, Rgb<Real>(Real(0)));
         });
     }

@@ -22,6 +22,7 @@ bool isAnisotropic(const materials::Material& material) {
 struct ShadingPoint {
     const materials::Material& material;
     gr::SurfacePoint<float> surface;
+    core::TextureValues<float> textures;  // of the material, where it has some
     bool fromOutside;
     Vec3f normal;
     core::Frame<float> frame;  // round the shading normal
@@ -31,12 +32,13 @@ struct ShadingPoint {
 
     ShadingPoint(const gr::Scene& scene, const Rayf& ray, const gr::Hit& hit)
         : material(scene.materials[scene.instances[hit.instance].material]),
-          surface(scene.surfaceAt(ray, hit, isAnisotropic(material))),
+          surface(scene.surfaceAt(ray, hit, scene.hasTextures() || isAnisotropic(material))),
+          textures(valuesAt(scene, hit)),
           fromOutside(glm::dot(ray.direction, surface.normal) < 0),
           normal(fromOutside ? surface.normal : -surface.normal),
           frame(frameRound(fromOutside ? surface.shadingNormal : -surface.shadingNormal)),
           wo(frame.toLocal(-ray.direction)),
-          bsdf(materials::bsdfAt<float>(material, surface)),
+          bsdf(materials::bsdfAt<float>(material, *this)),
           interior(scene.interiorOf(scene.instances[hit.instance].material)) {}
 
     // f * |cos| towards light in a direction of the world.
@@ -65,13 +67,21 @@ struct ShadingPoint {
     // A light reflects nothing.
     Rgbf albedo() const {
         if (isLight()) return Rgbf(0);
-        return std::visit([](const auto& m) { return m.albedo(); }, material);
+        return std::visit([&](const auto& m) { return m.template albedo<float>(*this); }, material);
     }
     Rgbf ambientReflectance() const {
-        return std::visit([](const auto& m) { return m.ambientReflectance(); }, material);
+        return std::visit([&](const auto& m) { return m.template ambientReflectance<float>(*this); }, material);
     }
 
 private:
+    core::TextureValues<float> valuesAt(const gr::Scene& scene, const gr::Hit& hit) const {
+        core::TextureValues<float> values;
+        if (!scene.hasTextures()) return values;
+        const materials::TexturePlace<float> place{surface.uv, surface.inNode, surface.position + Vec3f(scene.origin)};
+        for (const materials::TextureUse& use : scene.textures[scene.instances[hit.instance].material])
+            values.slots[use.slot] = use.at<float>(place);
+        return values;
+    }
     core::Frame<float> frameRound(const Vec3f& z) const {
         return isAnisotropic(material) ? core::Frame<float>(z, surface.tangent) : core::Frame<float>(z);
     }
