@@ -1,6 +1,7 @@
 // Textures against what their words say, place by place.
-// Seen to fail with v downwards, texels half a texel off, rotations in the other order, colours mixed beyond the last
-// stop, and a lattice of noise whose cells do not meet.
+// Seen to fail with v downwards, texels half a texel off, a mirror image a texel off, rotations in the other order,
+// colours mixed beyond the last stop, cells that begin just at their place, a lattice of noise whose cells do not meet,
+// and numbers that are not cut to their range.
 
 #include "materials/material.h"
 #include "support/test_random.h"
