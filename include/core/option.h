@@ -139,13 +139,13 @@ inline std::string optionText(const std::optional<int>& value) {
 inline std::string optionText(const std::optional<double>& value) {
     return value ? numberText(*value) : "";
 }
-inline std::string optionText(const std::optional<glm::dvec3>& v) {
-    return v ? numberText(v->x) + " " + numberText(v->y) + " " + numberText(v->z) : "";
-}
-
 inline std::string optionText(const glm::dvec3& v) {
     return numberText(v.x) + " " + numberText(v.y) + " " + numberText(v.z);
 }
+inline std::string optionText(const std::optional<glm::dvec3>& v) {
+    return v ? optionText(*v) : "";
+}
+
 inline std::string optionText(const Scaling& scaling) {
     const glm::dvec3& by = scaling.by;
     return by.x == by.y && by.y == by.z ? numberText(by.x) : optionText(by);

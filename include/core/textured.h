@@ -4,7 +4,10 @@
 #include "core/vec.h"
 
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <type_traits>
+#include <utility>
 
 namespace materials {
 struct Texture;

@@ -26,7 +26,7 @@ struct RenderSettings {
     core::Word integrator = "path";
     std::uint64_t seed = 0;
     core::Rgbf background{0};
-    std::string environment;  // a picture's name, as it was given; empty: none
+    std::string environment;  // a texture's or a picture's name, as it was given; empty: none
     std::string environmentPath;  // and where it is, seen from the script that gave it
     double environmentRotation = 0;  // degrees
     double exposure = 0;

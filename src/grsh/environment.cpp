@@ -1,5 +1,6 @@
 #include "grsh/environment.h"
 
+#include "gr/lights/sky_light.h"
 #include "image/image_file.h"
 #include "image/radiances.h"
 #include "materials/textures/texture.h"
@@ -26,12 +27,10 @@ std::shared_ptr<const gr::SkyGrid> skyOf(const materials::Texture& texture, cons
     radiances.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     for (int y = 0; y < size.y; ++y) {
         const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size.y);
-        const core::SinCos<float> fromUp = core::sinCosTurns(v / 2);
         for (int x = 0; x < size.x; ++x) {
             const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.x);
-            const core::SinCos<float> round = core::sinCosTurns(u < 0.5f ? u + 0.5f : u - 0.5f);
-            const core::Vec3f direction(fromUp.sin * round.sin, fromUp.cos, -(fromUp.sin * round.cos));
-            radiances.push_back(texture.at<float>({{u, 1 - v}, direction, direction}));
+            const core::Vec3f wi = gr::SkyDirection<float>(v, u < 0.5f ? u + 0.5f : u - 0.5f).wi;
+            radiances.push_back(texture.at<float>({{u, 1 - v}, wi, wi}));
         }
     }
     if (std::ranges::all_of(radiances, [](const core::Rgbf& c) { return c == core::Rgbf(0); }))

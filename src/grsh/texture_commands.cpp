@@ -1,6 +1,4 @@
-#include "core/memory.h"
 #include "gr/fingerprint.h"
-#include "grsh/css_colours.h"
 #include "grsh/option_words.h"
 #include "grsh/place.h"
 #include "grsh/texture_script.h"

@@ -8,6 +8,20 @@
 
 namespace gr {
 
+// Where a place of a sky's picture is seen: +y up, its middle towards -z, its right half towards +x.
+template<class Real>
+struct SkyDirection {
+    core::Vec3<Real> wi;  // of unit length
+    Real sine;  // of the angle from above
+
+    // v: from 0 above to 1 below; right: from the middle, in turns, from 0 to 1.
+    SkyDirection(const Real& v, const Real& right) {
+        const core::SinCos<Real> fromUp = core::sinCosTurns(v * Real(0.5f)), round = core::sinCosTurns(right);
+        wi = {fromUp.sin * round.sin, fromUp.cos, -(fromUp.sin * round.cos)};
+        sine = fromUp.sin;
+    }
+};
+
 // The picture is seen from within, +y up, its middle towards -z and its right half towards +x, before it is turned
 // about +y. In lanes it is the same picture for all. A pointer and Reals, so that lanes can gather them.
 template<class Real>
@@ -26,14 +40,13 @@ struct SkyLightOf {
     // From wherever. u: uniform in the unit square.
     LightSample<Real> sample(const core::Vec3<Real>&, const core::Vec2<Real>& u) const {
         const auto place = grid->draw(u);
-        const core::SinCos<Real> fromUp = core::sinCosTurns(place.v * Real(0.5f));
         // To the right of -z; from 0 to 1.
         const Real right = place.u - Real(0.5f) - turns;
         const Real around =
             right - core::select(right < Real(-1), Real(-2), core::select(right < Real(0), Real(-1), Real(0)));
-        const core::SinCos<Real> round = core::sinCosTurns(core::min(around, Real(1)));
-        const core::Vec3<Real> wi(fromUp.sin * round.sin, fromUp.cos, -(fromUp.sin * round.cos));
-        const Real pdf = pdfWOf(place.density, fromUp.sin);
+        const SkyDirection<Real> direction(place.v, core::min(around, Real(1)));
+        const core::Vec3<Real>& wi = direction.wi;
+        const Real pdf = pdfWOf(place.density, direction.sine);
         const core::Rgb<Real> weight = place.radiance * (unit / core::max(pdf, Real(0x1p-100f)));
         const core::Mask<Real> lit = pdf > Real(0);
         return {wi, wi, core::select(lit, weight, core::Rgb<Real>(Real(0))), core::select(lit, pdf, Real(0))};

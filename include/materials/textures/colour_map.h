@@ -31,42 +31,4 @@ core::Rgb<Real> mapped(const core::ColourStops& stops, const Real& t, const Text
     return colour;
 }
 
-// The options of patterns that are numbers from 0 to 1, made colours.
-struct Pattern : Mapping {
-    core::ColourStops map = blackToWhite();
-    double frequency = 1;
-    int octaves = 6;
-    double turbulence = 0;
-    int seed = 0;
-
-    std::uint32_t seedBits() const { return static_cast<std::uint32_t>(seed); }
-};
-
-template<class T>
-std::array<core::OptionRow<T>, 5> patternRows(std::string_view octavesHelp) {
-    return {
-        {{.name = "map",
-          .member = static_cast<core::ColourStops T::*>(&T::map),
-          .range = {.least = 0, .most = 1e18},
-          .defaultText = "{0 black 1 white}",
-          .help = "the colours that the pattern's numbers stand for, places from 0 to 1 in rising order; textures may "
-                  "stand for colours"},
-         {.name = "frequency",
-          .member = static_cast<double T::*>(&T::frequency),
-          .range = {.least = 0, .most = 1e6, .leastIncluded = false},
-          .help = "how often it repeats in a unit"},
-         {.name = "octaves",
-          .member = static_cast<int T::*>(&T::octaves),
-          .range = {.least = 1, .most = 16},
-          .help = octavesHelp},
-         {.name = "turbulence",
-          .member = static_cast<double T::*>(&T::turbulence),
-          .range = {.least = 0, .most = 1e3},
-          .help = "how far places are stirred, in units of the pattern"},
-         {.name = "seed",
-          .member = static_cast<int T::*>(&T::seed),
-          .range = {.least = 0, .most = 2147483647},
-          .help = "another number makes another pattern of the same kind"}}};
-}
-
 }  // namespace materials
